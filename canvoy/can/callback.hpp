@@ -1,8 +1,7 @@
 // A reference to a function and the object that it works on: two words, copied freely, without
 // ownership and allocation.
 //
-//     Callback<void(const Frame&)> received = Callback<void(const
-//     Frame&)>::to<&Tool::on_frame>(tool);
+//     Callback<void(const Frame&)> received = callback<&Tool::on_frame>(tool);
 #pragma once
 
 #include <utility>
@@ -54,6 +53,23 @@ class Callback<Return(Arguments...)> {
   Function function_ = nullptr;
   void* context_ = nullptr;
 };
+
+/// A member function and its object, before it is known which Callback is wanted.
+template <auto member, class Object>
+struct BoundMember {
+  Object& object;  ///< must outlive the callback
+
+  /// The Callback that is wanted where this is given.
+  template <class Return, class... Arguments>
+  constexpr operator Callback<Return(Arguments...)>() const {
+    return Callback<Return(Arguments...)>::template to<member>(object);
+  }
+};
+/// Callback of a member function of `object`; its signature is that of the place where it is given.
+template <auto member, class Object>
+constexpr BoundMember<member, Object> callback(Object& object) {
+  return {object};
+}
 
 namespace detail {
 

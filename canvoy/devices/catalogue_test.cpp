@@ -85,7 +85,7 @@ struct Beam {
   cia417::Detection sense(unsigned /*door*/) { return seen; }
   cia417::LightBarrierHardware hardware() {
     ++asked;
-    return {.sense = Callback<cia417::Detection(unsigned)>::to<&Beam::sense>(*this)};
+    return {.sense = callback<&Beam::sense>(*this)};
   }
   void made(cia417::LightBarrierUnit& /*unit*/, Node& of) { node = &of; }
 };
@@ -94,8 +94,8 @@ TEST(Catalogue, ADeviceTakesTheHardwareOfItsSiteAndIsTold) {
   Beam beam;
   Environment environment;
   environment.door = 2;
-  environment.provide(Callback<cia417::LightBarrierHardware()>::to<&Beam::hardware>(beam));
-  environment.watch(Callback<void(cia417::LightBarrierUnit&, Node&)>::to<&Beam::made>(beam));
+  environment.provide(callback<&Beam::hardware>(beam));
+  environment.watch(callback<&Beam::made>(beam));
   Cable cable;
   CatalogueDevice device(*find_device_kind("lift-light-barrier"), cable.port(0), 9, environment);
   EXPECT_EQ(beam.asked, 1);

@@ -29,10 +29,8 @@ constexpr NmtState state_after(NmtCommand command) {
 
 Supervision::Supervision(GatewayDevice& device, Report report)
     : device_(device), report_(std::move(report)), guarding_(device.node(), slots_) {
-  device_.heartbeat_consumer().on_change(
-      Callback<void(NodeId, RemoteState)>::to<&Supervision::heartbeat_changed>(*this));
-  guarding_.on_event(
-      Callback<void(NodeId, NodeGuardingEvent, bool)>::to<&Supervision::guarding_event>(*this));
+  device_.heartbeat_consumer().on_change(callback<&Supervision::heartbeat_changed>(*this));
+  guarding_.on_event(callback<&Supervision::guarding_event>(*this));
 }
 
 Answer Supervision::watch_heartbeat(std::uint32_t node, Duration time) {

@@ -42,7 +42,7 @@ constexpr ServiceHandlers PdoAccess::service_calls = {.reset = method<&PdoAccess
 PdoAccess::PdoAccess(GatewayDevice& device, std::uint16_t net, Received received)
     : device_(device), net_(net), received_(std::move(received)) {
   device_.node().attach(service_);
-  device_.rpdos().received = Callback<void(std::uint16_t)>::to<&PdoAccess::received>(*this);
+  device_.rpdos().received = callback<&PdoAccess::received>(*this);
 }
 
 PdoAccess::~PdoAccess() {

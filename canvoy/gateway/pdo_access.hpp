@@ -81,7 +81,7 @@ class PdoAccess {
   Pdos rpdos_;
   Pdos tpdos_;
   std::vector<Reading> readings_;
-  Timer timer_{Callback<void(Time)>::to<&PdoAccess::expired>(*this)};
+  Timer timer_{callback<&PdoAccess::expired>(*this)};
   static const ServiceHandlers service_calls;
   HandlerBinding service_{&service_calls, this};
 };

@@ -147,8 +147,8 @@ TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, std::unique_ptr<Tc
   listener_->on_trouble([this](std::string_view line) { note(std::string(line)); });
   gateway_.on_settled([this] { serve_all(); });
   host::Task task;
-  task.deadline = Callback<Time()>::to<&Gateway::deadline>(gateway_);
-  task.advance = Callback<void(Time)>::to<&Gateway::advance>(gateway_);
+  task.deadline = callback<&Gateway::deadline>(gateway_);
+  task.advance = callback<&Gateway::advance>(gateway_);
   task_ = loop_.add(task);
 }
 

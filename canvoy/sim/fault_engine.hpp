@@ -38,9 +38,9 @@ class FaultEngine {
   /// Binds the members of `Maker` of these names.
   template <class Maker>
   static Hooks of(Maker& maker) {
-    return {.began = Callback<void(std::size_t)>::template to<&Maker::began>(maker),
-            .ended = Callback<void(std::size_t)>::template to<&Maker::ended>(maker),
-            .set = Callback<void(std::size_t, bool)>::template to<&Maker::set>(maker)};
+    return {.began = callback<&Maker::began>(maker),
+            .ended = callback<&Maker::ended>(maker),
+            .set = callback<&Maker::set>(maker)};
   }
 
   /// The faults must outlive this object.

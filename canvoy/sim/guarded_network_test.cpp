@@ -45,8 +45,7 @@ class GuardedNetwork : public testing::Test {
       world_.set_clock_drift(slot, static_cast<std::int32_t>(id * 16) - 1000);
       world_.start(slot);
     }
-    guarding_.on_event(
-        Callback<void(NodeId, NodeGuardingEvent, bool)>::to<&GuardedNetwork::event>(*this));
+    guarding_.on_event(callback<&GuardedNetwork::event>(*this));
     world_.occupy(master_slot_, master_);
     world_.start(master_slot_);
     world_.at(Time(200ms), [this](Time now) { guard_all(now); });

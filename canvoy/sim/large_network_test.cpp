@@ -99,8 +99,8 @@ struct LargeNetwork {
   struct Hooks {
     BootHooks real;
     BootHooks forward() {
-      return {.update_configuration = Callback<void(const BootTask&)>::to<&Hooks::update>(*this),
-              .abandon = Callback<void(NodeId)>::to<&Hooks::abandon>(*this)};
+      return {.update_configuration = callback<&Hooks::update>(*this),
+              .abandon = callback<&Hooks::abandon>(*this)};
     }
     void update(const BootTask& task) { real.update_configuration(task); }
     void abandon(NodeId slave) { real.abandon(slave); }

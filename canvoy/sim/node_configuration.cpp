@@ -4,7 +4,7 @@ namespace canvoy {
 
 NodeConfiguration::NodeConfiguration(Node& node, std::span<const NodeValue> values)
     : node_(node), values_(values) {
-  service_.state_entered = Callback<void(NmtState)>::to<&NodeConfiguration::state_entered>(*this);
+  service_.state_entered = callback<&NodeConfiguration::state_entered>(*this);
   node.attach(service_);
 }
 

@@ -152,7 +152,7 @@ TEST_F(WorldTest, WhatIsDueAtOneTimeHappensActionsFirstThenInTheOrderOfAddition)
     std::vector<std::string>& diary;
     void step(Time) { diary.push_back("plant"); }
   } plant{diary};
-  sut.add_plant(Callback<void(Time)>::to<&Plant::step>(plant), 10ms);
+  sut.add_plant(callback<&Plant::step>(plant), 10ms);
   sut.start(second_slot);
   sut.start(first_slot);
   sut.at(Time(10ms), [&](Time) { diary.push_back("action 1"); });
@@ -166,7 +166,7 @@ TEST_F(WorldTest, APlantIsSteppedEachPeriod) {
     std::vector<Time> steps;
     void step(Time now) { steps.push_back(now); }
   } plant;
-  sut.add_plant(Callback<void(Time)>::to<&Plant::step>(plant), 100ms);
+  sut.add_plant(callback<&Plant::step>(plant), 100ms);
   sut.run_until(Time(350ms));
   EXPECT_EQ(plant.steps, (std::vector<Time>{Time(100ms), Time(200ms), Time(300ms)}));
 }
@@ -181,7 +181,7 @@ TEST_F(WorldTest, ASleepingPlantIsSteppedWhenItIsWokenAndOnlyThen) {
       if (steps.size() < 3) world.wake(index, now + 5ms);
     }
   } plant{sut};
-  plant.index = sut.add_sleeping_plant(Callback<void(Time)>::to<&Plant::step>(plant));
+  plant.index = sut.add_sleeping_plant(callback<&Plant::step>(plant));
   sut.run_until(Time(1s));
   EXPECT_TRUE(plant.steps.empty());
   sut.wake(plant.index, Time(2s));

@@ -44,10 +44,7 @@ struct Worker {
     due = period > Duration{} ? due + period : never;
     if (work) work();
   }
-  Task task() {
-    return {Callback<Time()>::to<&Worker::deadline>(*this),
-            Callback<void(Time)>::to<&Worker::advance>(*this)};
-  }
+  Task task() { return {callback<&Worker::deadline>(*this), callback<&Worker::advance>(*this)}; }
 };
 
 class EventLoopTest : public testing::Test {

@@ -24,7 +24,7 @@ TEST(IndicatorsOfServices, FlickerInLssStateConfiguration) {
   WireNode wire(layout.tables(), node_id_unconfigured);
   Indicators sut(wire.node);
   LssSlaveHooks hooks;
-  hooks.state_entered = Callback<void(LssState)>::to<&Indicators::lss_state_entered>(sut);
+  hooks.state_entered = callback<&Indicators::lss_state_entered>(sut);
   const LssSlave lss(wire.node, hooks);
   wire.boot();
   EXPECT_EQ(sut.run(), off) << "it waits for a node-ID";
@@ -41,7 +41,7 @@ TEST(IndicatorsOfServices, StopToFlickerWhenAResetEndsLss) {
   WireNode wire(layout.tables(), 5);
   Indicators sut(wire.node);
   LssSlaveHooks hooks;
-  hooks.state_entered = Callback<void(LssState)>::to<&Indicators::lss_state_entered>(sut);
+  hooks.state_entered = callback<&Indicators::lss_state_entered>(sut);
   const LssSlave lss(wire.node, hooks);
   wire.boot();
   wire.receive("7E5#04 01 00 00 00 00 00 00");
@@ -58,9 +58,7 @@ TEST(IndicatorsOfServices, FlashThreeTimesWhileAProgramIsClearedOrDownloaded) {
   std::array<ProgramSlot, 2> slots{{{.address = 0, .size = 256}, {.address = 256, .size = 256}}};
   const ProgramServer programs(
       wire.node, memory.flash, slots,
-      {.control = {},
-       .check = {},
-       .under_way = Callback<void(bool)>::to<&Indicators::program_under_way>(sut)});
+      {.control = {}, .check = {}, .under_way = callback<&Indicators::program_under_way>(sut)});
   std::array<std::uint8_t, 16> buffer{};
   const SdoServer server(wire.node, 0, buffer);
   wire.boot();
@@ -82,7 +80,7 @@ TEST(IndicatorsOfServices, FlickerWhileTheBitRateIsLookedFor) {
   Indicators sut(wire.node);
   auto restart = [](std::uint32_t, bool) { return true; };
   BitRateDetection detection(BitRateDetection::Restart::of(restart));
-  detection.on_under_way(Callback<void(bool)>::to<&Indicators::bit_rate_detected>(sut));
+  detection.on_under_way(callback<&Indicators::bit_rate_detected>(sut));
   detection.start(Time{});
   EXPECT_EQ(sut.run(), flickering);
   EXPECT_EQ(sut.error(), flickering);

@@ -34,7 +34,7 @@ constexpr auto layout_without =
 struct HearingNode : WireNode {
   explicit HearingNode(const DictionaryTables& tables = layout.tables())
       : WireNode(tables, 5), consumer(node, slots) {
-    consumer.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&HearingNode::heard>(*this));
+    consumer.on_emergency(callback<&HearingNode::heard>(*this));
     boot();
   }
 

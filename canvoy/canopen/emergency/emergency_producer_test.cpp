@@ -429,7 +429,7 @@ TEST(EmergencyProducer, TellsNothingBeforeTheBootUpMessage) {
     Node& node;
     void reset(ResetScope) { node.raise(hot); }
   } behaviour{wire.node};
-  device.reset = Callback<void(ResetScope)>::to<&Device::reset>(behaviour);
+  device.reset = callback<&Device::reset>(behaviour);
   wire.node.attach(device);
   wire.start();
   wire.expect({"705#00", "085#10 42 09 00 00 00 00 00"});

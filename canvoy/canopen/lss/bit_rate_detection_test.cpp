@@ -22,7 +22,7 @@ constexpr std::uint32_t three_rates[] = {500'000, 250'000, 125'000};
 struct Controller {
   explicit Controller(const BitRateDetection::Options& options)
       : detection(BitRateDetection::Restart::to<&Controller::restart>(*this), options) {
-    detection.on_found(Callback<void(std::uint32_t)>::to<&Controller::found>(*this));
+    detection.on_found(callback<&Controller::found>(*this));
   }
   bool restart(std::uint32_t bit_rate, bool listen_only) {
     log.push_back((listen_only ? "listen " : "active ") + std::to_string(bit_rate));

@@ -21,9 +21,7 @@ class BitTimingSwitch {
   /// Makes the switch. `switch_to` restarts the CAN controller with a bit timing of table selector
   /// 0.
   BitTimingSwitch(Node& node, Callback<void(std::uint8_t bit_timing)> switch_to)
-      : node_(node),
-        switch_to_(switch_to),
-        timer_(Callback<void(Time)>::to<&BitTimingSwitch::expired>(*this)) {}
+      : node_(node), switch_to_(switch_to), timer_(callback<&BitTimingSwitch::expired>(*this)) {}
   BitTimingSwitch(const BitTimingSwitch&) = delete;
   BitTimingSwitch& operator=(const BitTimingSwitch&) = delete;
 
@@ -32,7 +30,7 @@ class BitTimingSwitch {
   void activate(std::uint8_t bit_timing, Duration delay);
   /// Function for LssSlaveHooks::activate_bit_timing.
   Callback<void(std::uint8_t, Duration)> hook() {
-    return Callback<void(std::uint8_t, Duration)>::to<&BitTimingSwitch::activate>(*this);
+    return callback<&BitTimingSwitch::activate>(*this);
   }
   /// True from activate() until frames are sent again.
   bool running() const { return timer_.armed(); }

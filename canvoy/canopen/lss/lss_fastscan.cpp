@@ -46,7 +46,7 @@ LssFastscan::LssFastscan(Node& node, LssMaster& master, const Options& options)
     : node_(node),
       master_(master),
       options_(options),
-      retry_(Callback<void(Time)>::to<&LssFastscan::unsent>(*this)),
+      retry_(callback<&LssFastscan::unsent>(*this)),
       pace_{.time_out = options.time_out_min, .settle = {}} {}
 
 bool LssFastscan::find(const LssPattern& pattern, Done done, bool others_in_configuration) {

@@ -17,8 +17,7 @@ constexpr bool is_configuration(Command command) {
 
 }  // namespace
 
-LssMaster::LssMaster(Node& node)
-    : node_(node), timer_(Callback<void(Time)>::to<&LssMaster::expired>(*this)) {
+LssMaster::LssMaster(Node& node) : node_(node), timer_(callback<&LssMaster::expired>(*this)) {
   node_.router().add(can_id::lss_response, Router::Receiver::to<&LssMaster::receive>(*this));
 }
 

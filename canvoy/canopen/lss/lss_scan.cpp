@@ -25,7 +25,7 @@ LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
       master_(master),
       fastscan_(node, master, options),
       tree_(node, master, options),
-      retry_(Callback<void(Time)>::to<&LssScan::retry>(*this)),
+      retry_(callback<&LssScan::retry>(*this)),
       addresses_(addresses) {}
 
 bool LssScan::start(const Options& options, Done done) {

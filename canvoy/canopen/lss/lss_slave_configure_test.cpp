@@ -154,8 +154,7 @@ TEST(LssBitTimingTable, HasTheBitRatesOfTableSelector0) {
 
 struct Hardware {
   explicit Hardware(LssNode& owner)
-      : node(owner),
-        bit_timing(owner.node, Callback<void(std::uint8_t)>::to<&Hardware::switch_to>(*this)) {
+      : node(owner), bit_timing(owner.node, callback<&Hardware::switch_to>(*this)) {
     node.application.bit_timing = &bit_timing;
   }
   void switch_to(std::uint8_t index) {

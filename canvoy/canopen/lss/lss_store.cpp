@@ -15,7 +15,7 @@ constexpr Duration time_out = 10s;
 LssStore::LssStore(Node& node, const Flash& flash, const Place& place)
     : node_(node),
       record_(flash, {.address = place.address, .slot_size = place.slot_size, .kind = record_kind}),
-      timer_(Callback<void(Time)>::to<&LssStore::step>(*this)),
+      timer_(callback<&LssStore::step>(*this)),
       state_(record_.find()) {
   std::array<std::uint8_t, 2> found{};
   if (state_ != RecordState::valid) return;
@@ -30,9 +30,7 @@ LssStore::LssStore(Node& node, const Flash& flash, const Place& place)
 
 void LssStore::store(NodeId id, std::uint8_t bit_timing) {
   content_ = {id, bit_timing};
-  record_.begin(
-      {.rewind = {},
-       .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&LssStore::next>(*this)});
+  record_.begin({.rewind = {}, .next = callback<&LssStore::next>(*this)});
   end_ = node_.now() + time_out;
   node_.timers().arm(timer_, node_.now());
 }

@@ -37,9 +37,7 @@ class LssStore {
   RecordState state() const { return state_; }
 
   /// Function for LssSlaveHooks::store.
-  Callback<void(NodeId, std::uint8_t)> hook() {
-    return Callback<void(NodeId, std::uint8_t)>::to<&LssStore::store>(*this);
-  }
+  Callback<void(NodeId, std::uint8_t)> hook() { return callback<&LssStore::store>(*this); }
   /// Sets the callback for the end of storing; usually LssSlave::stored().
   void on_stored(Stored stored) { stored_ = stored; }
 

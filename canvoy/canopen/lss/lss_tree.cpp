@@ -18,10 +18,7 @@ constexpr std::uint8_t passed_over_max = 16;
 }  // namespace
 
 LssTree::LssTree(Node& node, LssMaster& master, const LssFastscan::Options& options)
-    : node_(node),
-      master_(master),
-      options_(options),
-      retry_(Callback<void(Time)>::to<&LssTree::unsent>(*this)) {}
+    : node_(node), master_(master), options_(options), retry_(callback<&LssTree::unsent>(*this)) {}
 
 void LssTree::begin(const LssPattern& pattern, const LssPace& pace, Done done) {
   pattern_ = pattern;

@@ -23,14 +23,14 @@ BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, cons
                settings.hooks,
                settings.guarding,
                settings.options,
-               Callback<void(const BootReport&)>::to<&BootManager::report>(*this)},
+               callback<&BootManager::report>(*this)},
       slaves_(context_, memory,
-              {.booted = Callback<void(NodeId)>::to<&BootManager::booted>(*this),
-               .changed = Callback<void()>::to<&BootManager::check_network>(*this)}) {
+              {.booted = callback<&BootManager::booted>(*this),
+               .changed = callback<&BootManager::check_network>(*this)}) {
   using Told = Callback<void(NodeId, RemoteState)>;
   master.on_message(Told::to<&SlaveBoots::heard>(slaves_));
   master.on_change(Told::to<&SlaveBoots::changed>(slaves_));
-  commands.on_sent(Callback<void(const NmtQueue::Request&)>::to<&BootManager::command_sent>(*this));
+  commands.on_sent(callback<&BootManager::command_sent>(*this));
   node_.attach(service_);
 }
 

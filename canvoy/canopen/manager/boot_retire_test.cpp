@@ -18,7 +18,7 @@ struct EndingMaster : BootNetwork {
   /// The work ends in the report with this number.
   EndingMaster(std::uint32_t assignment, By by, unsigned number)
       : BootNetwork(2, {.hooks = hooks()}), by_(by), number_(number) {
-    manager.on_report(Callback<void(const BootReport&)>::to<&EndingMaster::told>(*this));
+    manager.on_report(callback<&EndingMaster::told>(*this));
     startup(0x05);
     assign(5, assignment);
     watch(5, 300);
@@ -93,7 +93,7 @@ void end_in_each_report(EndingMaster::By by, Check check) {
 struct RetiringMaster : BootNetwork {
   /// Retires when the network enters this state.
   RetiringMaster(NetworkBoot when, std::uint32_t startup_value) : when_(when) {
-    manager.on_network(Callback<void(NetworkBoot)>::to<&RetiringMaster::network_is>(*this));
+    manager.on_network(callback<&RetiringMaster::network_is>(*this));
     startup(startup_value);
     assign(5, 0x05);
     start();

@@ -40,8 +40,7 @@ constexpr BootStep next(BootStep step) {
 
 }  // namespace
 
-BootSlave::BootSlave(Node& node)
-    : client_(node), timer_(Callback<void(Time)>::to<&BootSlave::expired>(*this)) {}
+BootSlave::BootSlave(Node& node) : client_(node), timer_(callback<&BootSlave::expired>(*this)) {}
 
 void BootSlave::prepare(BootContext& context, Finished finished) {
   context_ = &context;
@@ -182,7 +181,7 @@ void BootSlave::update_program() {
   if (!hook || !assignment().has_verified_program()) return update_configuration();
   if (!enter(BootStep::program)) return;
   has_task_ = true;
-  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::program_updated>(*this),
+  hook({slave_, &client_, callback<&BootSlave::program_updated>(*this),
         decltype(BootTask::restart)::to<&BootSlave::restart>(*this)});
 }
 
@@ -197,7 +196,7 @@ void BootSlave::update_configuration() {
   if (!hook) return start_error_control();
   if (!enter(BootStep::configuration)) return;
   has_task_ = true;
-  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::configuration_updated>(*this),
+  hook({slave_, &client_, callback<&BootSlave::configuration_updated>(*this),
         decltype(BootTask::restart)::to<&BootSlave::restart>(*this)});
 }
 

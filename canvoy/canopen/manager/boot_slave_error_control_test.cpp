@@ -22,10 +22,7 @@ struct WatchingMaster : BootNetwork {
 
 /// Requests of the master for node guarding.
 struct Guard {
-  GuardingHooks hooks() {
-    return {Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Guard::start>(*this),
-            Callback<void(NodeId)>::to<&Guard::stop>(*this)};
-  }
+  GuardingHooks hooks() { return {callback<&Guard::start>(*this), callback<&Guard::stop>(*this)}; }
   bool start(NodeId slave, Duration time, std::uint8_t factor) {
     log.push_back("guard " + std::to_string(slave) + " each " + std::to_string(time / 1ms) +
                   " factor " + std::to_string(factor));

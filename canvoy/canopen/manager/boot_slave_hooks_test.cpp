@@ -13,10 +13,9 @@ constexpr std::uint32_t verified = 0x25;
 /// Keeps the tasks that it receives until the test ends them.
 struct Worker {
   BootHooks hooks() {
-    return {
-        .update_program = Callback<void(const BootTask&)>::to<&Worker::program>(*this),
-        .update_configuration = Callback<void(const BootTask&)>::to<&Worker::configuration>(*this),
-        .abandon = Callback<void(NodeId)>::to<&Worker::abandon>(*this)};
+    return {.update_program = callback<&Worker::program>(*this),
+            .update_configuration = callback<&Worker::configuration>(*this),
+            .abandon = callback<&Worker::abandon>(*this)};
   }
   void program(const BootTask& task) { begin("program", task); }
   void configuration(const BootTask& task) { begin("configuration", task); }
@@ -90,9 +89,7 @@ TEST(BootSlaveHooks, MayUseTheClientOfTheSlot) {
 /// Result of the restart that a hook requested.
 struct Restart {
   void ended(AbortCode how) { answers.push_back(how); }
-  Callback<void(AbortCode)> callback() {
-    return Callback<void(AbortCode)>::to<&Restart::ended>(*this);
-  }
+  Callback<void(AbortCode)> callback() { return canvoy::callback<&Restart::ended>(*this); }
   std::vector<AbortCode> answers;
 };
 

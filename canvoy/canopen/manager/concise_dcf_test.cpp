@@ -30,8 +30,7 @@ struct Memory {
     return AbortCode::none;
   }
   ByteSource source() {
-    return {static_cast<std::uint32_t>(bytes.size()),
-            Callback<AbortCode(std::uint32_t, std::span<std::uint8_t>)>::to<&Memory::read>(*this)};
+    return {static_cast<std::uint32_t>(bytes.size()), callback<&Memory::read>(*this)};
   }
 
   Bytes bytes;

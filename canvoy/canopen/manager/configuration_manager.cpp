@@ -35,7 +35,7 @@ ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers
     : node_(node),
       workers_(workers),
       time_out_(time_out),
-      timer_(Callback<void(Time)>::to<&ConfigurationManager::begin_waiting>(*this)) {
+      timer_(callback<&ConfigurationManager::begin_waiting>(*this)) {
   node_.attach(service_);
 }
 
@@ -86,9 +86,8 @@ void ConfigurationManager::after_write(const Entry& entry, Source) {
 }
 
 void ConfigurationManager::serve(BootHooks& hooks) {
-  hooks.update_configuration =
-      Callback<void(const BootTask&)>::to<&ConfigurationManager::boot>(*this);
-  hooks.abandon = Callback<void(NodeId)>::to<&ConfigurationManager::abandon>(*this);
+  hooks.update_configuration = callback<&ConfigurationManager::boot>(*this);
+  hooks.abandon = callback<&ConfigurationManager::abandon>(*this);
 }
 
 void ConfigurationManager::boot(const BootTask& task) {
@@ -247,7 +246,7 @@ void ConfigurationManager::Worker::restored(SdoClient::Outcome outcome) {
   if (!outcome) return fail(outcome, object_index::restore_parameters, restore_sub_);
   task_.restart(restore_sub_ == restore_communication_sub ? NmtCommand::reset_communication
                                                           : NmtCommand::reset_node,
-                Callback<void(AbortCode)>::to<&Worker::restarted>(*this));
+                callback<&Worker::restarted>(*this));
 }
 
 void ConfigurationManager::Worker::restarted(AbortCode answer) {
@@ -281,8 +280,7 @@ AbortCode ConfigurationManager::Worker::open_source(ByteSource& source) {
   if (*size == 0) return AbortCode::no_data;
   if (*size == Domain::size_unknown) return AbortCode::internal_incompatible;
   source.size = *size;
-  source.read =
-      Callback<AbortCode(std::uint32_t, std::span<std::uint8_t>)>::to<&Worker::read_source>(*this);
+  source.read = callback<&Worker::read_source>(*this);
   return AbortCode::none;
 }
 

@@ -344,8 +344,7 @@ TEST(ConfigurationRequest, CannotBeRead) {
 struct BootingManager : Manager {
   BootingManager() { sut.serve(hooks); }
   void boot_slave(NodeId slave, SdoClient& slave_client) {
-    hooks.update_configuration(
-        {slave, &slave_client, Callback<void(BootOutcome)>::to<&BootingManager::booted>(*this)});
+    hooks.update_configuration({slave, &slave_client, callback<&BootingManager::booted>(*this)});
     settle();
   }
   void booted(BootOutcome result) { outcomes.push_back(result); }
@@ -410,8 +409,7 @@ TEST(ConfigurationAtBoot, MoreSlavesThanWorkersMayWaitAndNoMoreThanAsManyAgain) 
   for (const NodeId slave : {NodeId{20}, NodeId{21}, NodeId{22}}) {
     manager.expect_date(slave, 1, 1);
     manager.hooks.update_configuration(
-        {slave, &manager.clients[slave - 20],
-         Callback<void(BootOutcome)>::to<&BootingManager::booted>(manager)});
+        {slave, &manager.clients[slave - 20], callback<&BootingManager::booted>(manager)});
   }
   EXPECT_EQ(manager.outcomes,
             (std::vector<BootOutcome>{{BootError::configuration, AbortCode::out_of_memory}}));

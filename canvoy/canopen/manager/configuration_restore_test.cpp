@@ -43,7 +43,7 @@ struct RestoringManager : WireNode {
   }
   void begin() {
     hooks.update_configuration(
-        {5, &client, Callback<void(BootOutcome)>::to<&RestoringManager::booted>(*this),
+        {5, &client, callback<&RestoringManager::booted>(*this),
          decltype(BootTask::restart)::to<&RestoringManager::restart>(*this)});
     settle();
   }

@@ -40,8 +40,8 @@ FlyingMaster::FlyingMaster(Node& node, NmtQueue& commands, BootManager& manager,
       commands_(commands),
       manager_(manager),
       options_(options),
-      timer_(Callback<void(Time)>::to<&FlyingMaster::expired>(*this)),
-      capable_timer_(Callback<void(Time)>::to<&FlyingMaster::finding_over>(*this)) {
+      timer_(callback<&FlyingMaster::expired>(*this)),
+      capable_timer_(callback<&FlyingMaster::finding_over>(*this)) {
   for (const std::uint16_t can_id :
        {options_.active_master, options_.negotiation, options_.active_master_request,
         options_.capable_answer, options_.capable_request, options_.force_negotiation}) {

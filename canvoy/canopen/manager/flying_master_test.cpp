@@ -16,7 +16,7 @@ namespace {
 struct FlyingNode : BootNetwork {
   explicit FlyingNode(const FlyingMaster::Options& options = {}, std::uint32_t startup_bits = 0x21)
       : BootNetwork(2, {}, 5), flying(node, commands, manager, options) {
-    flying.on_change(Callback<void(FlyingMaster::State)>::to<&FlyingNode::changed>(*this));
+    flying.on_change(callback<&FlyingNode::changed>(*this));
     const std::uint32_t timing[] = {100, 500, 1, 1500, 10, 4000};
     for (std::uint8_t sub = 1; sub <= 6; ++sub) stored.store(0x1F90, sub, timing[sub - 1]);
     stored.store(0x1F91, 1, 100);

@@ -43,9 +43,7 @@ class MasterNode {
                       with_guarding(settings)),
         requests_(device_.node(), nmt_master_, commands_, boot_manager_,
                   with_guarding(settings).guarding) {
-    guarding_.on_event(
-        Callback<void(NodeId, NodeGuardingEvent, bool)>::template to<&MasterNode::guarding_event>(
-            *this));
+    guarding_.on_event(callback<&MasterNode::guarding_event>(*this));
   }
   MasterNode(const MasterNode&) = delete;
   MasterNode& operator=(const MasterNode&) = delete;
@@ -74,14 +72,12 @@ class MasterNode {
   }
   BootManager::Settings with_guarding(BootManager::Settings settings) {
     if (size.guarded == 0 || settings.guarding.start) return settings;
-    settings.guarding = {
-        Callback<bool(NodeId, Duration, std::uint8_t)>::template to<&NodeGuardingMaster::guard>(
-            guarding_),
-        Callback<void(NodeId)>::template to<&NodeGuardingMaster::release>(guarding_),
-        {[](void* guarding, NodeId slave) {
-           return static_cast<NodeGuardingMaster*>(guarding)->guards(slave);
-         },
-         &guarding_}};
+    settings.guarding = {callback<&NodeGuardingMaster::guard>(guarding_),
+                         callback<&NodeGuardingMaster::release>(guarding_),
+                         {[](void* guarding, NodeId slave) {
+                            return static_cast<NodeGuardingMaster*>(guarding)->guards(slave);
+                          },
+                          &guarding_}};
     return settings;
   }
   void guarding_event(NodeId slave, NodeGuardingEvent event, bool occurs) {

@@ -10,7 +10,7 @@ constexpr ServiceHandlers NmtQueue::service_calls = {.reset = method<&NmtQueue::
                                                      .tx_ready = method<&NmtQueue::tx_ready>};
 
 NmtQueue::NmtQueue(Node& node, std::span<Request> memory)
-    : node_(node), memory_(memory), timer_(Callback<void(Time)>::to<&NmtQueue::send_due>(*this)) {
+    : node_(node), memory_(memory), timer_(callback<&NmtQueue::send_due>(*this)) {
   node_.attach(service_);
 }
 

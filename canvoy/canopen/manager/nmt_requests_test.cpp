@@ -13,11 +13,9 @@ namespace {
 /// Node 127 is a running NMT master without slaves, and answers SDO requests.
 struct RequestedMaster : BootNetwork {
   explicit RequestedMaster(std::uint32_t startup_bits = 0x01)
-      : requests(
-            node, master, commands, manager,
-            {Callback<bool(NodeId, Duration, std::uint8_t)>::to<&RequestedMaster::begin>(*this),
-             Callback<void(NodeId)>::to<&RequestedMaster::end>(*this),
-             Callback<bool(NodeId)>::to<&RequestedMaster::is_guarded>(*this)}),
+      : requests(node, master, commands, manager,
+                 {callback<&RequestedMaster::begin>(*this), callback<&RequestedMaster::end>(*this),
+                  callback<&RequestedMaster::is_guarded>(*this)}),
         server(node, 0, buffer) {
     startup(startup_bits);
     start();

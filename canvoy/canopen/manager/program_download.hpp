@@ -116,7 +116,7 @@ class ProgramDownload {
   std::uint8_t date_part_ = 0;  ///< sub-index of 1F52h
   Time step_ends_{};
   std::array<std::uint8_t, 4> value_{};
-  Timer timer_{Callback<void(Time)>::to<&ProgramDownload::repeat>(*this)};
+  Timer timer_{callback<&ProgramDownload::repeat>(*this)};
 };
 
 }  // namespace canvoy

@@ -9,8 +9,8 @@ namespace canvoy {
 
 void ProgramManager::serve(BootHooks& hooks) {
   abandoned_ = hooks.abandon;
-  hooks.update_program = Callback<void(const BootTask&)>::to<&ProgramManager::boot>(*this);
-  hooks.abandon = Callback<void(NodeId)>::to<&ProgramManager::abandon>(*this);
+  hooks.update_program = callback<&ProgramManager::boot>(*this);
+  hooks.abandon = callback<&ProgramManager::abandon>(*this);
 }
 
 void ProgramManager::boot(const BootTask& task) {

@@ -26,17 +26,14 @@ class ProgramManagerTest : public testing::Test {
   ProgramManagerTest() {
     wire.boot();
     set(0x1F81, may_be_updated);
-    hooks.abandon = Callback<void(NodeId)>::to<&ProgramManagerTest::told>(*this);
+    hooks.abandon = callback<&ProgramManagerTest::told>(*this);
     sut.serve(hooks);
-    sut.on_update(
-        Callback<void(NodeId, const ProgramOutcome&)>::to<&ProgramManagerTest::updated>(*this));
+    sut.on_update(callback<&ProgramManagerTest::updated>(*this));
   }
   void set(std::uint16_t index, std::uint32_t value) {
     wire.node.dictionary().set_number(index, 5, value);
   }
-  BootTask task() {
-    return {5, &client, Callback<void(BootOutcome)>::to<&ProgramManagerTest::done>(*this)};
-  }
+  BootTask task() { return {5, &client, callback<&ProgramManagerTest::done>(*this)}; }
   void boot() {
     wire.node.advance(wire.now);
     hooks.update_program(task());
@@ -86,11 +83,9 @@ class ProgramManagerTest : public testing::Test {
   WireNode wire{layout.tables(), 127};
   SdoClient client{wire.node};
   ProgramManager::Worker workers[1]{ProgramManager::Worker(wire.node)};
-  ProgramManager sut{
-      workers,
-      {.open = Callback<Result<std::uint32_t>(NodeId)>::to<&ProgramManagerTest::open>(*this),
-       .read = Callback<AbortCode(NodeId, std::uint32_t,
-                                  std::span<std::uint8_t>)>::to<&ProgramManagerTest::read>(*this)}};
+  ProgramManager sut{workers,
+                     {.open = callback<&ProgramManagerTest::open>(*this),
+                      .read = callback<&ProgramManagerTest::read>(*this)}};
   BootHooks hooks;
   std::uint32_t size = 9;
   int ends = 0;

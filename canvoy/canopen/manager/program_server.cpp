@@ -37,7 +37,7 @@ ProgramServer::ProgramServer(Node& node, const Flash& flash, std::span<ProgramSl
       slots_(slots),
       hooks_(hooks),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&ProgramServer::clear_on>(*this)) {
+      timer_(callback<&ProgramServer::clear_on>(*this)) {
   for (ProgramSlot& slot : slots_) find(slot);
   domain_.open_write = decltype(Domain::open_write)::to<&ProgramServer::open_write>(*this);
   domain_.write = decltype(Domain::write)::to<&ProgramServer::write>(*this);

@@ -35,7 +35,7 @@ SdoManager::SdoManager(Node& node, std::span<SdoConnection> connections, const S
       cob_ids_(node.dictionary(), connections_),
       connector_(node, client_, cob_ids_, {.time_out = settings.time_out, .tries = settings.tries},
                  SdoConnector::Ended::to<&SdoManager::ended>(*this)),
-      timer_(Callback<void(Time)>::to<&SdoManager::work>(*this)) {
+      timer_(callback<&SdoManager::work>(*this)) {
   node_.attach(service_);
   node_.router().add(can_id::dynamic_sdo_request, Router::Receiver::to<&SdoManager::called>(*this));
 }

@@ -30,7 +30,7 @@ SdoRequester::SdoRequester(Node& node, const Settings& settings)
     : node_(node),
       settings_(settings),
       client_(node, settings.manager_client),
-      timer_(Callback<void(Time)>::to<&SdoRequester::expired>(*this)) {
+      timer_(callback<&SdoRequester::expired>(*this)) {
   node_.attach(service_);
 }
 

@@ -8,7 +8,7 @@ SlaveBoots::SlaveBoots(BootContext& context, const Memory& memory, const Owner& 
     : context_(context),
       memory_(memory),
       owner_(owner),
-      timer_(Callback<void(Time)>::to<&SlaveBoots::run_due>(*this)) {
+      timer_(callback<&SlaveBoots::run_due>(*this)) {
   for (BootSlave& slot : memory_.slots) {
     slot.prepare(context_, BootSlave::Finished::to<&SlaveBoots::finished>(*this));
   }

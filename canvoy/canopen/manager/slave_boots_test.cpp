@@ -55,10 +55,9 @@ struct Slaves : WireNode {
       master,
       commands,
       {},
-      {.start = Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Slaves::guard>(*this),
-       .stop = Callback<void(NodeId)>::to<&Slaves::leave>(*this)},
+      {.start = callback<&Slaves::guard>(*this), .stop = callback<&Slaves::leave>(*this)},
       {},
-      Callback<void(const BootReport&)>::to<&Slaves::note>(*this)};
+      callback<&Slaves::note>(*this)};
   SlaveBoots sut{context, {records, slots}, {}};
 };
 

@@ -45,7 +45,7 @@ class HeartbeatConsumer {
     Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
 
     HeartbeatConsumer* consumer_ = nullptr;
-    Timer timer_{Callback<void(Time)>::to<&Slot::expired>(*this)};
+    Timer timer_{callback<&Slot::expired>(*this)};
     Duration time_{};
     NodeId node_id_ = 0;  ///< 0: not in use
     RemoteState state_ = RemoteState::unknown;

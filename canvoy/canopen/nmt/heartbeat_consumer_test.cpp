@@ -23,9 +23,8 @@ constexpr auto layout = lay_out(
 struct ConsumingNode : WireNode {
   explicit ConsumingNode(HeartbeatConsumer::Start start = HeartbeatConsumer::Start::first_heartbeat)
       : WireNode(layout.tables(), 5), consumer(node, slots, start) {
-    consumer.on_change(Callback<void(NodeId, RemoteState)>::to<&ConsumingNode::changed>(*this));
-    service.error_changed =
-        Callback<void(const Error&, bool)>::to<&ConsumingNode::error_changed>(*this);
+    consumer.on_change(callback<&ConsumingNode::changed>(*this));
+    service.error_changed = callback<&ConsumingNode::error_changed>(*this);
     node.attach(service);
     boot();
   }

@@ -38,7 +38,7 @@ class NmtMaster {
     void expired(Time) { master_->enter(*this, RemoteState::lost); }
 
     NmtMaster* master_ = nullptr;
-    Timer timer_{Callback<void(Time)>::to<&RemoteNode::expired>(*this)};
+    Timer timer_{callback<&RemoteNode::expired>(*this)};
     Time seen_{};
     Duration time_out_{};
     RemoteState state_ = RemoteState::unknown;

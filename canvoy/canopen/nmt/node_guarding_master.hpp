@@ -45,7 +45,7 @@ class NodeGuardingMaster {
     Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
 
     NodeGuardingMaster* master_ = nullptr;
-    Timer timer_{Callback<void(Time)>::to<&Slot::expired>(*this)};
+    Timer timer_{callback<&Slot::expired>(*this)};
     Duration guard_time_{};
     Duration life_time_{};
     Time due_{};          ///< of the next request

@@ -30,8 +30,8 @@ struct Report {
   }
   Texts take() { return std::exchange(log, {}); }
   void attach(NodeGuardingMaster& master) {
-    master.on_change(Callback<void(NodeId, RemoteState)>::to<&Report::changed>(*this));
-    master.on_event(Callback<void(NodeId, NodeGuardingEvent, bool)>::to<&Report::event>(*this));
+    master.on_change(callback<&Report::changed>(*this));
+    master.on_event(callback<&Report::event>(*this));
   }
 
   const Time* now;

@@ -72,10 +72,8 @@ Texts expected(const std::vector<Loss>& losses) {
 /// A master and a slave, and the events that they detect.
 struct LossyGuarding {
   explicit LossyGuarding(const std::vector<Loss>& losses) : losses_(losses) {
-    guarding.on_event(
-        Callback<void(NodeId, NodeGuardingEvent, bool)>::to<&LossyGuarding::master_noticed>(*this));
-    service.error_changed =
-        Callback<void(const Error&, bool)>::to<&LossyGuarding::slave_noticed>(*this);
+    guarding.on_event(callback<&LossyGuarding::master_noticed>(*this));
+    service.error_changed = callback<&LossyGuarding::slave_noticed>(*this);
     slave.attach(service);
     cable.connect(0, master);
     cable.connect(1, slave);

@@ -23,7 +23,7 @@ constexpr ServiceHandlers NodeGuardingSlave::service_calls = {
     .reset = method<&NodeGuardingSlave::reset>, .hooks = hook_calls};
 
 NodeGuardingSlave::NodeGuardingSlave(Node& node)
-    : node_(node), timer_(Callback<void(Time)>::to<&NodeGuardingSlave::expired>(*this)) {
+    : node_(node), timer_(callback<&NodeGuardingSlave::expired>(*this)) {
   node_.attach(service_);
 }
 

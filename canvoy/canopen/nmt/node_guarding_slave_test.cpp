@@ -31,8 +31,7 @@ constexpr auto layout_without =
 struct GuardedNode : WireNode {
   explicit GuardedNode(const DictionaryTables& tables = layout.tables(), NodeId id = 5)
       : WireNode(tables, id), heartbeat(node), sut(node), behaviour(node) {
-    service.error_changed =
-        Callback<void(const Error&, bool)>::to<&GuardedNode::error_changed>(*this);
+    service.error_changed = callback<&GuardedNode::error_changed>(*this);
     node.attach(service);
     boot();
   }

@@ -33,12 +33,12 @@ constexpr NmtState states[] = {NmtState::pre_operational, NmtState::operational,
 class Witness {
  public:
   explicit Witness(Node& node, std::string name = "") : name_(std::move(name)) {
-    service.reset = Callback<void(ResetScope)>::to<&Witness::reset>(*this);
-    service.state_entered = Callback<void(NmtState)>::to<&Witness::state_entered>(*this);
-    service.bus_state_changed = Callback<void(BusState)>::to<&Witness::bus_state_changed>(*this);
-    service.error_changed = Callback<void(const Error&, bool)>::to<&Witness::error_changed>(*this);
-    service.values_changed = Callback<void(std::uint32_t)>::to<&Witness::values_changed>(*this);
-    service.tx_ready = Callback<void()>::to<&Witness::tx_ready>(*this);
+    service.reset = callback<&Witness::reset>(*this);
+    service.state_entered = callback<&Witness::state_entered>(*this);
+    service.bus_state_changed = callback<&Witness::bus_state_changed>(*this);
+    service.error_changed = callback<&Witness::error_changed>(*this);
+    service.values_changed = callback<&Witness::values_changed>(*this);
+    service.tx_ready = callback<&Witness::tx_ready>(*this);
     node.attach(service);
   }
 
@@ -250,8 +250,8 @@ TEST(NmtSlave, TellsItsServicesOfEachChangeOfStateAndOfNoOther) {
 TEST(NmtSlave, SendsTheBootUpMessageBehindTheResetAndBeforePreOperational) {
   struct Order {
     explicit Order(WireNode& wire_node) : wire(wire_node) {
-      service.reset = Callback<void(ResetScope)>::to<&Order::reset>(*this);
-      service.state_entered = Callback<void(NmtState)>::to<&Order::entered>(*this);
+      service.reset = callback<&Order::reset>(*this);
+      service.state_entered = callback<&Order::entered>(*this);
       wire.node.attach(service);
     }
     void reset(ResetScope) { sent_at_reset = wire.sent.size(); }
@@ -464,7 +464,7 @@ TEST(Node, RunsItsTimersAtTheirDeadlines) {
     void ring(Time now) { rung = now; }
     Time rung = never;
   } bell;
-  Timer timer{Callback<void(Time)>::to<&Bell::ring>(bell)};
+  Timer timer{callback<&Bell::ring>(bell)};
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   sut.node.timers().arm(timer, Time(50ms));
@@ -478,7 +478,7 @@ TEST(Node, RunsItsTimersAtTheirDeadlines) {
 struct Commander {
   Commander(Node& commanded, NmtState on, NmtCommand answer)
       : node(commanded), state(on), command(answer) {
-    service.state_entered = Callback<void(NmtState)>::to<&Commander::entered>(*this);
+    service.state_entered = callback<&Commander::entered>(*this);
     node.attach(service);
   }
   void entered(NmtState entered_state) {

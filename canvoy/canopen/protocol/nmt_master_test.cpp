@@ -14,7 +14,7 @@ constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .ent
 
 struct MasterNode : WireNode {
   MasterNode() : WireNode(layout.tables(), 127), master(node, nodes) {
-    master.on_change(Callback<void(NodeId, RemoteState)>::to<&MasterNode::changed>(*this));
+    master.on_change(callback<&MasterNode::changed>(*this));
     boot();
   }
   void changed(NodeId node_id, RemoteState state) {
@@ -34,7 +34,7 @@ struct MasterNode : WireNode {
 /// A node in the same network, without an NMT master.
 struct ListeningNode : WireNode {
   ListeningNode() : WireNode(layout.tables(), 5), network(node) {
-    network.on_change(Callback<void(NodeId, RemoteState)>::to<&ListeningNode::changed>(*this));
+    network.on_change(callback<&ListeningNode::changed>(*this));
     boot();
   }
   void changed(NodeId node_id, RemoteState state) {

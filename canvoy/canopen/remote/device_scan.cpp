@@ -11,7 +11,7 @@ DeviceScan::DeviceScan(Node& node, const Options& options)
     : node_(node),
       options_(options),
       pool_{Request{*this, node}, Request{*this, node}, Request{*this, node}, Request{*this, node}},
-      timer_(Callback<void(Time)>::to<&DeviceScan::next>(*this)) {}
+      timer_(callback<&DeviceScan::next>(*this)) {}
 
 void DeviceScan::start(Duration later) {
   running_ = true;

@@ -12,7 +12,7 @@ namespace {
 /// Node 1 searches for profile 418 (1A2h). All others answer at once: all except node 100 with 401.
 struct Scanner : PromptBus {
   Scanner() : PromptBus(dynamic_sdo_manager(), 1) {
-    scan.on_found(Callback<void(NodeId)>::to<&Scanner::found>(*this));
+    scan.on_found(callback<&Scanner::found>(*this));
     answers = [this](const Frame& frame) -> std::optional<Frame> {
       if (frame.id <= 0x600 || frame.id >= 0x680) return std::nullopt;
       const std::uint8_t profile = frame.id == 0x600U + wanted ? 0xA2 : 0x91;

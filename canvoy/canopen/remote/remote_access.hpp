@@ -79,7 +79,7 @@ class RemoteChannel {
   NodeId target_ = 0;
   bool answer_ends_ = false;  ///< the request that was passed on is the last of a download
   sdo::Multiplexer multiplexer_;
-  Timer timer_{Callback<void(Time)>::to<&RemoteChannel::expired>(*this)};
+  Timer timer_{callback<&RemoteChannel::expired>(*this)};
 };
 
 /// The node's part of multi-level networking. Its channels replace the node's SDO servers on their
@@ -163,7 +163,7 @@ class RemoteAccess {
   std::array<Frame, waiting_max> waiting_{};  ///< emergencies, from `first_` on
   std::size_t first_ = 0;
   std::size_t count_ = 0;
-  Timer inhibit_{Callback<void(Time)>::to<&RemoteAccess::may_tell>(*this)};
+  Timer inhibit_{callback<&RemoteAccess::may_tell>(*this)};
   static const ServiceHandlers service_calls;
   HandlerBinding service_{&service_calls, this};
 };

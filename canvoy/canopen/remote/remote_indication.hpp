@@ -43,7 +43,7 @@ class RemoteIndication {
   SdoChannel channel_;
   sdo::Message said_{0};
   Done done_;
-  Timer timer_{Callback<void(Time)>::to<&RemoteIndication::expired>(*this)};
+  Timer timer_{callback<&RemoteIndication::expired>(*this)};
 };
 
 }  // namespace canvoy

@@ -23,7 +23,7 @@ struct Bells {
     Bells& owner;
     int number;
     std::function<void(Time)> on_ring;
-    Timer timer{Callback<void(Time)>::to<&Bell::ring>(*this)};
+    Timer timer{callback<&Bell::ring>(*this)};
   };
 
   explicit Bells(int count) {

@@ -73,9 +73,8 @@ bool StoredWalk::is_whole() const {
 
 RecordSource ParameterSet::cook(const Recipe& recipe) {
   recipe_ = recipe;
-  return {.rewind = Callback<void()>::to<&ParameterSet::rewind>(*this),
-          .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&ParameterSet::next>(
-              *this)};
+  return {.rewind = callback<&ParameterSet::rewind>(*this),
+          .next = callback<&ParameterSet::next>(*this)};
 }
 
 void ParameterSet::begin() {

@@ -16,9 +16,7 @@ using Bytes = std::vector<std::uint8_t>;
 struct Content {
   explicit Content(Bytes content) : bytes(std::move(content)) {}
   RecordSource source() {
-    return {
-        .rewind = Callback<void()>::to<&Content::rewind>(*this),
-        .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&Content::next>(*this)};
+    return {.rewind = callback<&Content::rewind>(*this), .next = callback<&Content::next>(*this)};
   }
   void rewind() { offset = 0; }
   Result<std::size_t> next(std::span<std::uint8_t> place) {

@@ -40,9 +40,8 @@ Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
       settings_(settings),
       record_(flash, {settings.address, settings.slot_size, parameter_record}),
       set_(node.dictionary(), record_, settings_.groups),
-      timer_(Callback<void(Time)>::to<&Storage::step>(*this)) {
-  former_ = node_.on_defaults_restored(
-      Callback<void(ResetScope)>::to<&Storage::defaults_restored>(*this));
+      timer_(callback<&Storage::step>(*this)) {
+  former_ = node_.on_defaults_restored(callback<&Storage::defaults_restored>(*this));
   node_.attach(service_);
 }
 

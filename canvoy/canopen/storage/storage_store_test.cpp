@@ -213,7 +213,7 @@ TEST_F(StorageStore, ResetNodeGivesAllParametersTheirStoredValues) {
 TEST_F(StorageStore, ServicesBeginWithTheStoredValues) {
   struct Witness {
     explicit Witness(StoringNode& device) : device_(device) {
-      service.reset = Callback<void(ResetScope)>::to<&Witness::reset>(*this);
+      service.reset = callback<&Witness::reset>(*this);
       device.node.attach(service);
     }
     void reset(ResetScope) { heartbeat_ms = device_.get(0x1017); }

@@ -14,7 +14,7 @@ constexpr ServiceHandlers HighResolutionTime::service_calls = {.hooks = {&hook_c
 HighResolutionTime::HighResolutionTime(Node& node, Sync* sync) : node_(node) {
   node_.attach(service_);
   if (sync == nullptr) return;
-  listener_.received = Callback<void(std::uint8_t)>::to<&HighResolutionTime::received>(*this);
+  listener_.received = callback<&HighResolutionTime::received>(*this);
   sync->attach(listener_);
 }
 

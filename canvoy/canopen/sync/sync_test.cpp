@@ -13,7 +13,7 @@ using Texts = std::vector<std::string>;
 /// Records each SYNC with its time and counter.
 struct Listener : SyncListener {
   explicit Listener(PdoNode& owner) : node(owner) {
-    received = Callback<void(std::uint8_t)>::to<&Listener::note>(*this);
+    received = callback<&Listener::note>(*this);
     node.sync.attach(*this);
   }
   void note(std::uint8_t counter) {
@@ -227,7 +227,7 @@ TEST(Sync, IsAppliedToRpdosThenToTheApplicationThenToTpdos) {
   PdoNode node;
   struct Doubler : SyncListener {
     explicit Doubler(PdoNode& owner) : node(owner) {
-      received = Callback<void(std::uint8_t)>::to<&Doubler::compute>(*this);
+      received = callback<&Doubler::compute>(*this);
       node.sync.attach(*this);
     }
     void compute(std::uint8_t) {

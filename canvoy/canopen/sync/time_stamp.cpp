@@ -22,8 +22,7 @@ constexpr ServiceHandlers TimeStamp::service_calls = {
     .tx_ready = method<&TimeStamp::tx_ready>,
     .hooks = {&hook_calls, 1}};
 
-TimeStamp::TimeStamp(Node& node)
-    : node_(node), timer_(Callback<void(Time)>::to<&TimeStamp::expired>(*this)) {
+TimeStamp::TimeStamp(Node& node) : node_(node), timer_(callback<&TimeStamp::expired>(*this)) {
   node_.attach(service_);
 }
 

@@ -32,7 +32,7 @@ constexpr auto minute_later = "60 18 94 02 31 3D";
 struct TimeNode : WireNode {
   explicit TimeNode(const DictionaryTables& tables = layout.tables(), NodeId id = 5)
       : WireNode(tables, id), sut(node) {
-    sut.on_time(Callback<void(const TimeOfDay&, Duration)>::to<&TimeNode::heard>(*this));
+    sut.on_time(callback<&TimeNode::heard>(*this));
     boot();
   }
 

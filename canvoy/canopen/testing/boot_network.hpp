@@ -68,7 +68,7 @@ inline constexpr auto boot_layout =
 class StoredValues {
  public:
   explicit StoredValues(Node& node) : node_(node) {
-    service_.reset = Callback<void(ResetScope)>::to<&StoredValues::reset>(*this);
+    service_.reset = callback<&StoredValues::reset>(*this);
     node.attach(service_);
   }
   void store(std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
@@ -143,8 +143,8 @@ class BootNetwork : public WireNode {
         commands(node, requests_),
         manager(node, master, commands,
                 {records_, std::span<BootSlave>(slots_.all).first(slot_count)}, settings) {
-    manager.on_report(Callback<void(const BootReport&)>::to<&BootNetwork::note>(*this));
-    manager.on_network(Callback<void(NetworkBoot)>::to<&BootNetwork::note_network>(*this));
+    manager.on_report(callback<&BootNetwork::note>(*this));
+    manager.on_network(callback<&BootNetwork::note_network>(*this));
     startup(0x01);
   }
 

@@ -38,9 +38,7 @@ class BytesSource {
  public:
   explicit BytesSource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   ByteSource source() {
-    return {
-        static_cast<std::uint32_t>(bytes_.size()),
-        Callback<AbortCode(std::uint32_t, std::span<std::uint8_t>)>::to<&BytesSource::read>(*this)};
+    return {static_cast<std::uint32_t>(bytes_.size()), callback<&BytesSource::read>(*this)};
   }
 
  private:

@@ -35,7 +35,7 @@ class LssNetwork {
                                                 .on_sent = &Member::has_room}})),
           node(lss_layout.tables(), spans(), owner.port(controller), options.id),
           address_(address) {
-      identity_.reset = Callback<void(ResetScope)>::to<&Member::set_identity>(*this);
+      identity_.reset = callback<&Member::set_identity>(*this);
       node.attach(identity_);
     }
 

@@ -45,12 +45,10 @@ inline std::string lss_frame(std::string_view text) {
 /// Records the calls of the slave to the application.
 struct LssApplication {
   LssSlaveHooks hooks() {
-    return {
-        .configure_bit_timing = Callback<LssError(std::uint8_t)>::to<&LssApplication::check>(*this),
-        .activate_bit_timing =
-            Callback<void(std::uint8_t, Duration)>::to<&LssApplication::activate>(*this),
-        .store = Callback<void(NodeId, std::uint8_t)>::to<&LssApplication::store>(*this),
-        .state_entered = Callback<void(LssState)>::to<&LssApplication::entered>(*this)};
+    return {.configure_bit_timing = callback<&LssApplication::check>(*this),
+            .activate_bit_timing = callback<&LssApplication::activate>(*this),
+            .store = callback<&LssApplication::store>(*this),
+            .state_entered = callback<&LssApplication::entered>(*this)};
   }
   std::vector<std::string> take() { return std::exchange(log, {}); }
 
@@ -84,7 +82,7 @@ class LssNode : public WireNode {
         lss(node, with_hooks ? application.hooks() : LssSlaveHooks{}, present),
         heartbeat_(node),
         address_(address) {
-    identity_.reset = Callback<void(ResetScope)>::to<&LssNode::set_identity>(*this);
+    identity_.reset = callback<&LssNode::set_identity>(*this);
     node.attach(identity_);
   }
 

@@ -85,7 +85,7 @@ class MpdoNode : public WireNode {
         tpdos(node, tpdo_memory_, tpdo_values_, &sync, at_start),
         mpdo_consumer(node, rpdos),
         mpdo_producer(node, tpdos, scanned_, queue_) {
-    recorder_.error_changed = Callback<void(const Error&, bool)>::to<&MpdoNode::record>(*this);
+    recorder_.error_changed = callback<&MpdoNode::record>(*this);
     node.attach(recorder_);
     boot();
   }

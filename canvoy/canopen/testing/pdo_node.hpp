@@ -162,7 +162,7 @@ class PdoNode : public WireNode {
         sync(node),
         rpdos(node, rpdo_memory_, rpdo_values_, &sync),
         tpdos(node, tpdo_memory_, tpdo_values_, &sync, at_start) {
-    recorder_.error_changed = Callback<void(const Error&, bool)>::to<&PdoNode::record>(*this);
+    recorder_.error_changed = callback<&PdoNode::record>(*this);
     node.attach(recorder_);
     if (boots) boot();
   }

@@ -54,15 +54,10 @@ class ProgramNode : public WireNode {
   explicit ProgramNode(SimulatedFlash& memory, NodeId id = 5)
       : WireNode(program_layout.tables(), id),
         slots{{{.address = 0, .size = 256}, {.address = 256, .size = 256}}},
-        programs(
-            node, memory.flash, slots,
-            {.control =
-                 Callback<AbortCode(std::uint8_t, ProgramCommand)>::to<&ProgramNode::control>(
-                     *this),
-             .check =
-                 Callback<FlashError(std::uint8_t, const ProgramSlot&)>::to<&ProgramNode::check>(
-                     *this),
-             .under_way = Callback<void(bool)>::to<&ProgramNode::under_way>(*this)}),
+        programs(node, memory.flash, slots,
+                 {.control = callback<&ProgramNode::control>(*this),
+                  .check = callback<&ProgramNode::check>(*this),
+                  .under_way = callback<&ProgramNode::under_way>(*this)}),
         server_(node, 0, buffer_),
         blocks_(server_) {
     boot();

@@ -44,7 +44,7 @@ class AnalogueParameters : public testing::Test {
   IoDevice<IoOptions{.analogue_inputs = 2, .all_widths = true}> device{
       cable.port(0),
       33,
-      {.analogue_input = Callback<std::int32_t(unsigned)>::to<&AnalogueParameters::sense>(*this)},
+      {.analogue_input = callback<&AnalogueParameters::sense>(*this)},
       {.sensing_period = Duration::zero()}};
 };
 

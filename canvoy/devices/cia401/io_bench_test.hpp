@@ -26,10 +26,10 @@ struct IoBoard {
   std::int32_t volt(unsigned channel) { return volts.at(channel - 1); }
   void drive(unsigned channel, std::int32_t value) { driven.at(channel - 1) = value; }
   IoHardware hardware() {
-    return {.digital_inputs = Callback<std::uint8_t(unsigned)>::to<&IoBoard::contact>(*this),
-            .drive_digital = Callback<void(unsigned, std::uint8_t)>::to<&IoBoard::valve>(*this),
-            .analogue_input = Callback<std::int32_t(unsigned)>::to<&IoBoard::volt>(*this),
-            .drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&IoBoard::drive>(*this)};
+    return {.digital_inputs = callback<&IoBoard::contact>(*this),
+            .drive_digital = callback<&IoBoard::valve>(*this),
+            .analogue_input = callback<&IoBoard::volt>(*this),
+            .drive_analogue = callback<&IoBoard::drive>(*this)};
   }
   void set_volts(unsigned channel, std::int16_t value) {
     volts.at(channel - 1) = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << 16);

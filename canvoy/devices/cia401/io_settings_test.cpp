@@ -14,12 +14,10 @@ namespace {
 class IoSettingsTest : public testing::Test {
  protected:
   void begin(const IoSettings& settings) {
-    const IoHardware hardware = {
-        .digital_inputs =
-            Callback<std::uint8_t(unsigned)>::to<&IoSettingsTest::sense_contacts>(*this),
-        .drive_digital = {},
-        .analogue_input = Callback<std::int32_t(unsigned)>::to<&IoSettingsTest::sense_volts>(*this),
-        .drive_analogue = {}};
+    const IoHardware hardware = {.digital_inputs = callback<&IoSettingsTest::sense_contacts>(*this),
+                                 .drive_digital = {},
+                                 .analogue_input = callback<&IoSettingsTest::sense_volts>(*this),
+                                 .drive_analogue = {}};
     device = std::make_unique<Sensors>(cable.port(0), 33, hardware, settings);
     cable.connect(0, device->node());
     cable.start_all();
@@ -102,7 +100,7 @@ class AnalogueOutput : public testing::Test {
   IoDevice<IoOptions{.analogue_inputs = 1, .analogue_outputs = 1, .all_widths = true}> device{
       cable.port(0),
       33,
-      {.drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&AnalogueOutput::drive>(*this)},
+      {.drive_analogue = callback<&AnalogueOutput::drive>(*this)},
       {.sensing_period = Duration::zero()}};
 };
 

@@ -30,7 +30,7 @@ DigitalInputs::DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Se
       groups_(groups),
       sense_(sense),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&DigitalInputs::expired>(*this)) {
+      timer_(callback<&DigitalInputs::expired>(*this)) {
   std::size_t next = 0;
   for_each_element(node.dictionary(), read_input_8_bit_object.index, [&](std::uint8_t sub) {
     if (next < groups_.size()) groups_[next++].number = sub;
@@ -292,7 +292,7 @@ IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
       analogue_inputs_(node, memory.analogue_inputs, hardware.analogue_input, settings.analogue,
                        memory.reals),
       analogue_outputs_(node, memory.has_analogue_outputs, hardware.drive_analogue, memory.reals),
-      timer_(Callback<void(Time)>::to<&IoUnit::expired>(*this)) {
+      timer_(callback<&IoUnit::expired>(*this)) {
   node.attach(service_);
 }
 

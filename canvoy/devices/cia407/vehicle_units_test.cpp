@@ -33,10 +33,9 @@ struct Bench {
 
   explicit Bench(const typename Kind::Hardware& with, const BusSegment& in = {})
       : hardware(with), segment(in), bench(units, [this](Environment& environment) {
-          environment.provide(Callback<typename Kind::Hardware()>::template to<&Bench::get>(*this));
-          environment.provide(Callback<BusSegment()>::template to<&Bench::get_segment>(*this));
-          environment.watch(
-              Callback<void(typename Kind::Unit&, Node&)>::template to<&Bench::made>(*this));
+          environment.provide(callback<&Bench::get>(*this));
+          environment.provide(callback<&Bench::get_segment>(*this));
+          environment.watch(callback<&Bench::made>(*this));
         }) {}
   std::string ask(const std::string& place) {
     return bench.ask("40 " + place + " 00 00 00 00").substr(12);
@@ -150,8 +149,7 @@ TEST(Tachograph, ItsSpeedIsPositiveBackwardAsWell) {
 
 TEST(Positioning, TellsWhatAReceiverSays) {
   cia447::NmeaReceiver nmea;
-  Bench<PositioningKind> bench(
-      {.read = Callback<cia447::GpsReading()>::to<&cia447::NmeaReceiver::reading>(nmea)});
+  Bench<PositioningKind> bench({.read = callback<&cia447::NmeaReceiver::reading>(nmea)});
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#02 FF 01 01 00 00 00 00") << "no signal";
   EXPECT_EQ(bench.ask("60 66 01"), "FF FF FF FF");
   nmea.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,,*11\r\n");
@@ -356,10 +354,7 @@ struct Train {
     std::snprintf(text, sizeof text, "%04X:%02X %zu", index, sub, value.size());
     told.emplace_back(text);
   }
-  TrainBusGatewayHardware hardware() {
-    return {.send = Callback<void(std::uint16_t, std::uint8_t,
-                                  std::span<const std::uint8_t>)>::to<&Train::send>(*this)};
-  }
+  TrainBusGatewayHardware hardware() { return {.send = callback<&Train::send>(*this)}; }
 };
 
 TEST(TrainBusGateway, HandsOnWhatIsToldInItsVehicle) {

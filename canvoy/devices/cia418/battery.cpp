@@ -20,7 +20,7 @@ Battery::Battery(Node& node, const BatteryHardware& hardware, const BatterySetti
       state_of_charge_(node.dictionary()),
       expended_(node.dictionary()),
       total_(node.dictionary()),
-      timer_(Callback<void(Time)>::to<&Battery::sense>(*this)) {
+      timer_(callback<&Battery::sense>(*this)) {
   node.attach(service_);
 }
 

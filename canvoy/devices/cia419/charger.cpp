@@ -84,25 +84,23 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       curve_(settings.curve),
       scan_(node, {.profile = battery_profile}),
       link_(node),
-      timer_(Callback<void(Time)>::to<&Charger::control>(*this)),
-      gaps_(node, Callback<void(NodeId)>::to<&Charger::ask_anew>(*this)),
+      timer_(callback<&Charger::control>(*this)),
+      gaps_(node, callback<&Charger::ask_anew>(*this)),
       rivals_(node) {
   node.attach(service_);
-  scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
-  link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
-  link_.on_failed(Callback<void()>::to<&Charger::battery_silent>(*this));
-  services_.heartbeats.on_change(
-      Callback<void(NodeId, RemoteState)>::to<&Charger::battery_changed>(*this));
+  scan_.on_found(callback<&Charger::battery_found>(*this));
+  link_.on_answered(callback<&Charger::battery_answered>(*this));
+  link_.on_failed(callback<&Charger::battery_silent>(*this));
+  services_.heartbeats.on_change(callback<&Charger::battery_changed>(*this));
   if (services_.network != nullptr) {
-    services_.network->on_change(
-        Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(*this));
+    services_.network->on_change(callback<&Charger::network_changed>(*this));
   }
   if (services_.time_stamp != nullptr && hardware_.time_of_day) {
     services_.time_stamp->produce_each(settings_.time_period);
   }
-  services_.tpdos.before_transmit = Callback<void(std::uint16_t)>::to<&Charger::refresh>(*this);
-  services_.rpdos.received = Callback<void(std::uint16_t)>::to<&Charger::pdo_received>(*this);
-  services_.rpdos.timed_out = Callback<void(std::uint16_t)>::to<&Charger::pdo_timed_out>(*this);
+  services_.tpdos.before_transmit = callback<&Charger::refresh>(*this);
+  services_.rpdos.received = callback<&Charger::pdo_received>(*this);
+  services_.rpdos.timed_out = callback<&Charger::pdo_timed_out>(*this);
 }
 
 void Charger::reset(ResetScope) {

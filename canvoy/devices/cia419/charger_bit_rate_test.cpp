@@ -16,7 +16,7 @@ class Vehicle {
  public:
   Vehicle() {
     cable.connect(1, battery.node());
-    detection.on_found(Callback<void(std::uint32_t)>::to<&Vehicle::found>(*this));
+    detection.on_found(callback<&Vehicle::found>(*this));
     battery.node().start(cable.now);
     detection.start(cable.now);
   }

@@ -385,7 +385,7 @@ class ChargerClock : public Bench {
  public:
   ChargerHardware hardware() {
     ChargerHardware made = charger_hardware();
-    made.time_of_day = Callback<std::optional<TimeOfDay>()>::to<&ChargerClock::time>(*this);
+    made.time_of_day = callback<&ChargerClock::time>(*this);
     return made;
   }
   std::optional<TimeOfDay> time() { return now; }

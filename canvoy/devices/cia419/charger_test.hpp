@@ -33,13 +33,11 @@ struct Bench {
   cia418::BatteryReadings sense() { return readings; }
 
   ChargerHardware charger_hardware() {
-    return {.deliver = Callback<void(double)>::to<&Bench::deliver>(*this),
-            .current = Callback<double()>::to<&Bench::current>(*this),
-            .pilot_signal = Callback<bool()>::to<&Bench::pilot_signal>(*this)};
+    return {.deliver = callback<&Bench::deliver>(*this),
+            .current = callback<&Bench::current>(*this),
+            .pilot_signal = callback<&Bench::pilot_signal>(*this)};
   }
-  cia418::BatteryHardware battery_hardware() {
-    return {.sense = Callback<cia418::BatteryReadings()>::to<&Bench::sense>(*this)};
-  }
+  cia418::BatteryHardware battery_hardware() { return {.sense = callback<&Bench::sense>(*this)}; }
 };
 
 /// The charger is node 5, the battery node 10.

@@ -41,7 +41,7 @@ class CollisionWatch {
   static const AccessHandlers hook_calls[];
   static const ServiceHandlers service_calls;
   HandlerBinding service_{&service_calls, this};
-  Timer timer_{Callback<void(Time)>::to<&CollisionWatch::is_quiet>(*this)};
+  Timer timer_{callback<&CollisionWatch::is_quiet>(*this)};
 };
 
 }  // namespace canvoy::cia852

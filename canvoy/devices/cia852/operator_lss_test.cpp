@@ -73,10 +73,9 @@ class LssBoard {
         : device(board.kind_, board.bus_.port(board.controller), board.kind_.info.node_id,
                  board.environment_),
           store(device.node(), board.flash_.flash, {.address = 0, .slot_size = 128}),
-          bit_timing(device.node(), Callback<void(std::uint8_t)>::to<&LssBoard::switch_to>(board)),
+          bit_timing(device.node(), callback<&LssBoard::switch_to>(board)),
           lss(device.node(),
-              {.configure_bit_timing =
-                   Callback<LssError(std::uint8_t)>::to<&LssBoard::is_known>(board),
+              {.configure_bit_timing = callback<&LssBoard::is_known>(board),
                .activate_bit_timing = bit_timing.hook(),
                .store = store.hook(),
                .state_entered = {}},

@@ -21,8 +21,8 @@ constexpr SimulatedFlash::Geometry program_memory{.sector_size = 128, .sectors =
 class OperatorProgram : public testing::Test {
  protected:
   OperatorProgram() {
-    environment.provide(Callback<OperatorEnvironment()>::to<&OperatorProgram::elements>(*this));
-    environment.provide(Callback<ProgramPlace()>::to<&OperatorProgram::place>(*this));
+    environment.provide(callback<&OperatorProgram::elements>(*this));
+    environment.provide(callback<&OperatorProgram::place>(*this));
     begin();
   }
   void begin() {
@@ -55,11 +55,7 @@ class OperatorProgram : public testing::Test {
         .flash = &memory.flash,
         .size = program_memory.sector_size * program_memory.sectors,
         .hooks = {
-            .control =
-                Callback<AbortCode(std::uint8_t, ProgramCommand)>::to<&OperatorProgram::control>(
-                    *this),
-            .check = {},
-            .under_way = {}}};
+            .control = callback<&OperatorProgram::control>(*this), .check = {}, .under_way = {}}};
   }
   AbortCode control(std::uint8_t number, ProgramCommand command) {
     told.push_back(std::to_string(number) + ": " + std::to_string(static_cast<int>(command)));

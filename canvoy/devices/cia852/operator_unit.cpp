@@ -72,19 +72,16 @@ OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
            .analogue = settings.analogue}),
       encoders_(node, memory.encoders, hardware.encoder),
       has_encoders_(!memory.encoders.empty()),
-      timer_(Callback<void(Time)>::to<&OperatorUnit::expired>(*this)) {
+      timer_(callback<&OperatorUnit::expired>(*this)) {
   if (!has_encoders_) return;
   node.attach(service_);
 }
 
 cia401::IoHardware OperatorUnit::io_hardware() {
-  return {
-      .digital_inputs = Callback<std::uint8_t(unsigned)>::to<&OperatorUnit::digital_input>(*this),
-      .drive_digital =
-          Callback<void(unsigned, std::uint8_t)>::to<&OperatorUnit::show_indicators>(*this),
-      .analogue_input = Callback<std::int32_t(unsigned)>::to<&OperatorUnit::analogue_input>(*this),
-      .drive_analogue =
-          Callback<void(unsigned, std::int32_t)>::to<&OperatorUnit::show_parameter>(*this)};
+  return {.digital_inputs = callback<&OperatorUnit::digital_input>(*this),
+          .drive_digital = callback<&OperatorUnit::show_indicators>(*this),
+          .analogue_input = callback<&OperatorUnit::analogue_input>(*this),
+          .drive_analogue = callback<&OperatorUnit::show_parameter>(*this)};
 }
 
 void OperatorUnit::hardware_changed() {

@@ -318,9 +318,7 @@ struct PolledButton : testing::Test {
   std::uint8_t state = 0;
   Cable cable;
   OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device{
-      cable.port(0),
-      5,
-      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&PolledButton::read>(*this)}};
+      cable.port(0), 5, {.push_buttons = callback<&PolledButton::read>(*this)}};
 };
 const std::vector<std::string> down_and_up = {"1C5#04 00 00 00 00 00 00 00",
                                               "1C5#00 00 00 00 00 00 00 00"};

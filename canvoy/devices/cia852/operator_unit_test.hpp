@@ -46,23 +46,16 @@ struct OperatorSeatHands {
     shown[{display, parameter}] = value;
   }
   OperatorHardware hardware() {
-    using Byte = std::uint8_t;
-    return {
-        .joystick_axis =
-            Callback<std::int16_t(unsigned, unsigned)>::to<&OperatorSeatHands::axis>(*this),
-        .joystick_buttons =
-            Callback<Byte(unsigned)>::to<&OperatorSeatHands::joystick_buttons>(*this),
-        .joystick_memory = Callback<Byte(unsigned)>::to<&OperatorSeatHands::joystick_memory>(*this),
-        .foot_pedal = Callback<std::int16_t(unsigned)>::to<&OperatorSeatHands::pedal>(*this),
-        .foot_pedal_memory =
-            Callback<bool(unsigned)>::to<&OperatorSeatHands::has_pedal_memory>(*this),
-        .encoder = Callback<std::uint32_t(unsigned)>::to<&OperatorSeatHands::encoder>(*this),
-        .wheel = Callback<std::int16_t(unsigned)>::to<&OperatorSeatHands::wheel>(*this),
-        .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&OperatorSeatHands::pressed>(*this),
-        .show_indicators =
-            Callback<void(unsigned, unsigned, Byte)>::to<&OperatorSeatHands::light>(*this),
-        .show_parameter =
-            Callback<void(unsigned, unsigned, std::int16_t)>::to<&OperatorSeatHands::show>(*this)};
+    return {.joystick_axis = callback<&OperatorSeatHands::axis>(*this),
+            .joystick_buttons = callback<&OperatorSeatHands::joystick_buttons>(*this),
+            .joystick_memory = callback<&OperatorSeatHands::joystick_memory>(*this),
+            .foot_pedal = callback<&OperatorSeatHands::pedal>(*this),
+            .foot_pedal_memory = callback<&OperatorSeatHands::has_pedal_memory>(*this),
+            .encoder = callback<&OperatorSeatHands::encoder>(*this),
+            .wheel = callback<&OperatorSeatHands::wheel>(*this),
+            .push_buttons = callback<&OperatorSeatHands::pressed>(*this),
+            .show_indicators = callback<&OperatorSeatHands::light>(*this),
+            .show_parameter = callback<&OperatorSeatHands::show>(*this)};
   }
 };
 
@@ -104,12 +97,11 @@ class OperatorBench {
   OperatorEnvironment elements() { return elements_; }
   OperatorHardware hardware() { return seat.hardware(); }
   OperatorSettings settings() { return {.sensing_period = Duration::zero()}; }
-  void is_made(OperatorUnit& of, Node&) { unit = &of; }
   std::unique_ptr<CatalogueDevice> made() {
-    environment_.provide(Callback<OperatorEnvironment()>::to<&OperatorBench::elements>(*this));
-    environment_.provide(Callback<OperatorHardware()>::to<&OperatorBench::hardware>(*this));
-    environment_.provide(Callback<OperatorSettings()>::to<&OperatorBench::settings>(*this));
-    environment_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorBench::is_made>(*this));
+    environment_.provide(callback<&OperatorBench::elements>(*this));
+    environment_.provide(callback<&OperatorBench::hardware>(*this));
+    environment_.provide(callback<&OperatorBench::settings>(*this));
+    environment_.watch(unit);
     return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, environment_);
   }
 

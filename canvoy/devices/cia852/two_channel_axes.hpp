@@ -72,7 +72,7 @@ class TwoChannelAxes {
   Node* node_ = nullptr;
   OperatorUnit* unit_ = nullptr;
   std::array<State, axes_of_joystick * joysticks_max> states_{};
-  Timer timer_{Callback<void(Time)>::to<&TwoChannelAxes::expired>(*this)};
+  Timer timer_{callback<&TwoChannelAxes::expired>(*this)};
 };
 
 }  // namespace canvoy::cia852

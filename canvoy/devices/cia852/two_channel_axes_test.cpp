@@ -18,10 +18,10 @@ struct Sensors {
 class TwoChannels : public testing::Test {
  protected:
   TwoChannels() {
-    environment.provide(Callback<OperatorEnvironment()>::to<&TwoChannels::elements>(*this));
-    environment.provide(Callback<OperatorHardware()>::to<&TwoChannels::hardware>(*this));
-    environment.provide(Callback<OperatorSettings()>::to<&TwoChannels::settings>(*this));
-    environment.watch(Callback<void(OperatorUnit&, Node&)>::to<&TwoChannels::is_made>(*this));
+    environment.provide(callback<&TwoChannels::elements>(*this));
+    environment.provide(callback<&TwoChannels::hardware>(*this));
+    environment.provide(callback<&TwoChannels::settings>(*this));
+    environment.watch(callback<&TwoChannels::is_made>(*this));
     device =
         std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, environment);
     cable.connect(0, device->node());

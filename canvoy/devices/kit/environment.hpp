@@ -5,15 +5,16 @@
 //
 //     Environment environment;
 //     environment.floors = 12;
-//     environment.provide(Callback<cia417::LoadHardware()>::to<&LoadCell::hardware>(cell));
-//     environment.watch(
-//         Callback<void(cia417::LoadMeasuringUnit&, Node&)>::to<&Car::has_load>(car));
+//     environment.provide(callback<&LoadCell::hardware>(cell));
+//     environment.watch(load_unit);                       // a pointer that is set
+//     environment.watch(callback<&Car::has_load>(car));   // called with unit and node
 #pragma once
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/check_invariant.hpp"
@@ -44,6 +45,12 @@ class Environment {
   void provide(Callback<Thing()> source) {
     add(provided_, &key<Thing>, source);
   }
+  /// The same, by a member function; its result is the Thing.
+  template <auto source, class Object>
+  void provide(BoundMember<source, Object> bound) {
+    using Thing = std::remove_cvref_t<decltype((bound.object.*source)())>;
+    provide(Callback<Thing()>(bound));
+  }
   /// The offered Thing, or `otherwise`.
   template <class Thing>
   Thing get(const Thing& otherwise = {}) const {
@@ -55,6 +62,17 @@ class Environment {
   template <class Unit>
   void watch(Callback<void(Unit&, Node&)> watcher) {
     add(watchers_, &key<Unit>, watcher);
+  }
+  /// The same, by a member function that takes a Unit& and a Node&.
+  template <auto watcher, class Object>
+  void watch(BoundMember<watcher, Object> bound) {
+    watch(to_watcher(bound, watcher));
+  }
+  /// `unit` is set to each Unit that is made here; it must outlive the devices.
+  template <class Unit>
+  void watch(Unit*& unit) {
+    watch(Callback<void(Unit&, Node&)>(
+        [](void* kept, Unit& made, Node&) { *static_cast<Unit**>(kept) = &made; }, &unit));
   }
   /// Tells the watcher of a type about a unit that was made; called by the device.
   template <class Unit>
@@ -75,6 +93,11 @@ class Environment {
   static constexpr std::size_t known_max = 24;
   using AllKnown = std::array<Known, known_max>;
 
+  template <class Bound, class Object, class Unit>
+  static Callback<void(Unit&, Node&)> to_watcher(Bound bound,
+                                                 void (Object::* /*watcher*/)(Unit&, Node&)) {
+    return bound;
+  }
   template <class Call>
   static void add(AllKnown& all, const void* what, const Call& call) {
     for (Known& known : all) {

@@ -10,10 +10,7 @@ constexpr ServiceHandlers GapWatch::service_calls = {
     .error_changed = method<&GapWatch::error_changed>};
 
 GapWatch::GapWatch(Node& node, Callback<void(NodeId)> ask, std::span<Rhythm> rhythms)
-    : node_(node),
-      ask_(ask),
-      rhythms_(rhythms),
-      timer_(Callback<void(Time)>::to<&GapWatch::expired>(*this)) {
+    : node_(node), ask_(ask), rhythms_(rhythms), timer_(callback<&GapWatch::expired>(*this)) {
   node.attach(service_);
 }
 

@@ -39,7 +39,7 @@ class Gaps : public testing::Test {
   std::string questions;  ///< "milliseconds:node", 0 is everyone
   cia417::LoadMeasuringDevice<> device{{nullptr, &Gaps::swallow, nullptr}, 13, {}};
   std::array<GapWatch::Rhythm, 10> rhythms;
-  GapWatch watch{device.node(), Callback<void(NodeId)>::to<&Gaps::asked>(*this), rhythms};
+  GapWatch watch{device.node(), callback<&Gaps::asked>(*this), rhythms};
 };
 
 TEST_F(Gaps, TheEndOfErrorPassiveIsASign) {

@@ -78,11 +78,11 @@ struct BenchCar {
     left_unlocked = left_unlocked || (!motion.standing && !locked);
   }
   LiftMotion interface() {
-    return {.travel_to = Callback<void(std::int32_t)>::to<&BenchCar::travel_to>(*this),
-            .run = Callback<void(std::int32_t)>::to<&BenchCar::run>(*this),
-            .stop = Callback<void()>::to<&BenchCar::stop>(*this),
-            .fast_stop = Callback<void()>::to<&BenchCar::fast_stop>(*this),
-            .status = Callback<MotionStatus()>::to<&BenchCar::status>(*this)};
+    return {.travel_to = callback<&BenchCar::travel_to>(*this),
+            .run = callback<&BenchCar::run>(*this),
+            .stop = callback<&BenchCar::stop>(*this),
+            .fast_stop = callback<&BenchCar::fast_stop>(*this),
+            .status = callback<&BenchCar::status>(*this)};
   }
 };
 
@@ -128,10 +128,10 @@ struct BenchDoors {
     return made;
   }
   LiftDoors interface() {
-    return {.open = Callback<void(DoorMask)>::to<&BenchDoors::open>(*this),
-            .close = Callback<void(DoorMask, DoorClosing)>::to<&BenchDoors::close>(*this),
-            .stop = Callback<void(DoorMask)>::to<&BenchDoors::stop>(*this),
-            .status = Callback<DoorsStatus()>::to<&BenchDoors::status>(*this)};
+    return {.open = callback<&BenchDoors::open>(*this),
+            .close = callback<&BenchDoors::close>(*this),
+            .stop = callback<&BenchDoors::stop>(*this),
+            .status = callback<&BenchDoors::status>(*this)};
   }
 };
 

@@ -30,10 +30,10 @@ class OperatorCabin {
                                                      .configuration = true};
 
   explicit OperatorCabin(Duration sensing_period) : sensing_period_(sensing_period) {
-    environment_.provide(Callback<OperatorEnvironment()>::to<&OperatorCabin::elements>(*this));
-    environment_.provide(Callback<OperatorHardware()>::to<&OperatorCabin::hardware>(*this));
-    environment_.provide(Callback<OperatorSettings()>::to<&OperatorCabin::settings>(*this));
-    environment_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorCabin::is_made>(*this));
+    environment_.provide(callback<&OperatorCabin::elements>(*this));
+    environment_.provide(callback<&OperatorCabin::hardware>(*this));
+    environment_.provide(callback<&OperatorCabin::settings>(*this));
+    environment_.watch(unit_);
     device_ = std::make_unique<CatalogueDevice>(operator_kind, Port{this, send, nullptr},
                                                 NodeId{10}, environment_);
     device_->node().start(now);
@@ -87,7 +87,6 @@ class OperatorCabin {
   }
   OperatorEnvironment elements() { return everything; }
   OperatorSettings settings() { return {.sensing_period = sensing_period_}; }
-  void is_made(OperatorUnit& unit, Node& /*node*/) { unit_ = &unit; }
   std::int16_t axis(unsigned joystick, unsigned axis) { return axes_[joystick * 3 + axis - 4]; }
   std::int16_t pedal(unsigned number) { return axes_[47 + number]; }
   std::int16_t wheel(unsigned number) { return axes_[63 + number]; }
@@ -95,12 +94,10 @@ class OperatorCabin {
     return buttons_[cluster * 8 + group - 9];
   }
   OperatorHardware hardware() {
-    return {.joystick_axis =
-                Callback<std::int16_t(unsigned, unsigned)>::to<&OperatorCabin::axis>(*this),
-            .foot_pedal = Callback<std::int16_t(unsigned)>::to<&OperatorCabin::pedal>(*this),
-            .wheel = Callback<std::int16_t(unsigned)>::to<&OperatorCabin::wheel>(*this),
-            .push_buttons =
-                Callback<std::uint8_t(unsigned, unsigned)>::to<&OperatorCabin::pressed>(*this)};
+    return {.joystick_axis = callback<&OperatorCabin::axis>(*this),
+            .foot_pedal = callback<&OperatorCabin::pedal>(*this),
+            .wheel = callback<&OperatorCabin::wheel>(*this),
+            .push_buttons = callback<&OperatorCabin::pressed>(*this)};
   }
 
   Duration sensing_period_;

@@ -54,8 +54,7 @@ class NetworkOfPart3 : public testing::Test {
     configuration_manager.serve(hooks);
     program_manager.serve(hooks);
     sut.boot_manager().use(hooks);
-    sut.boot_manager().on_report(
-        Callback<void(const BootReport&)>::to<&NetworkOfPart3::told>(*this));
+    sut.boot_manager().on_report(callback<&NetworkOfPart3::told>(*this));
     std::size_t place = 0;
     cable.connect(place, sut.node());
     for (Slave* slave : all) cable.connect(++place, slave->device.node());
@@ -122,11 +121,9 @@ class NetworkOfPart3 : public testing::Test {
   ProgramManager::Worker program_workers[3] = {ProgramManager::Worker(sut.node()),
                                                ProgramManager::Worker(sut.node()),
                                                ProgramManager::Worker(sut.node())};
-  ProgramManager program_manager{
-      program_workers,
-      {.open = Callback<Result<std::uint32_t>(NodeId)>::to<&NetworkOfPart3::open>(*this),
-       .read = Callback<AbortCode(NodeId, std::uint32_t,
-                                  std::span<std::uint8_t>)>::to<&NetworkOfPart3::read>(*this)}};
+  ProgramManager program_manager{program_workers,
+                                 {.open = callback<&NetworkOfPart3::open>(*this),
+                                  .read = callback<&NetworkOfPart3::read>(*this)}};
   BootHooks hooks;
   Slave five{cable.port(1), 5}, six{cable.port(2), 6}, seven{cable.port(3), 7},
       eight{cable.port(4), 8};

@@ -73,10 +73,9 @@ class [[nodiscard]] ValueWatch {
       : dictionary_(dictionary),
         handle_(handle),
         function_(std::move(function)),
-        hook_{
-            .first = handle.index(),
-            .last = handle.index(),
-            .after_write = Callback<void(const Entry&, Source)>::to<&ValueWatch::written>(*this)} {
+        hook_{.first = handle.index(),
+              .last = handle.index(),
+              .after_write = callback<&ValueWatch::written>(*this)} {
     dictionary.attach(hook_);
   }
   /// Not allowed from within its own function.

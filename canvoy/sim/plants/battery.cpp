@@ -166,7 +166,7 @@ void BatteryPlant::manage(double ampere, double seconds) {
 }
 
 cia418::BatteryHardware BatteryPlant::hardware() {
-  return {.sense = Callback<cia418::BatteryReadings()>::to<&BatteryPlant::sense>(*this)};
+  return {.sense = callback<&BatteryPlant::sense>(*this)};
 }
 
 cia418::BatteryReadings BatteryPlant::sense() const {

@@ -165,12 +165,11 @@ std::vector<std::u32string> wrapped(const std::u32string& text, std::size_t room
 }  // namespace
 
 cia407::DisplayHardware BusDisplay::hardware() {
-  return {.show = Callback<void(std::span<const ShownElement>)>::to<&BusDisplay::show>(*this),
-          .test = Callback<void(bool)>::to<&BusDisplay::test>(*this),
-          .show_stop_request = Callback<void(bool)>::to<&BusDisplay::show_stop_request>(*this),
+  return {.show = callback<&BusDisplay::show>(*this),
+          .test = callback<&BusDisplay::test>(*this),
+          .show_stop_request = callback<&BusDisplay::show_stop_request>(*this),
           .has_character_set = {&can_draw_set, nullptr},
-          .has_characters_of =
-              Callback<bool(const ShownElement&)>::to<&BusDisplay::has_characters_of>(*this)};
+          .has_characters_of = callback<&BusDisplay::has_characters_of>(*this)};
 }
 
 bool BusDisplay::has_characters_of(const ShownElement& element) {

@@ -29,12 +29,10 @@ class Passenger : public testing::Test {
   }
 
   cia407::BusBench* bench = nullptr;
-  BusDisplay display{{.columns = 12, .lines = 2}, Callback<Time()>::to<&Passenger::now>(*this)};
-  cia407::BusBench own{
-      units, [this](Environment& environment) {
-        environment.provide(
-            Callback<cia407::DisplayHardware()>::to<&BusDisplay::hardware>(display));
-      }};
+  BusDisplay display{{.columns = 12, .lines = 2}, callback<&Passenger::now>(*this)};
+  cia407::BusBench own{units, [this](Environment& environment) {
+                         environment.provide(callback<&BusDisplay::hardware>(display));
+                       }};
   Passenger() { bench = &own; }
 };
 

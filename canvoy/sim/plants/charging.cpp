@@ -35,7 +35,7 @@ Duration PowerStagePlant::fall_time_max() const {
 
 cia419::ChargerHardware PowerStagePlant::hardware() {
   return {
-      .deliver = Callback<void(double)>::to<&PowerStagePlant::deliver>(*this),
+      .deliver = callback<&PowerStagePlant::deliver>(*this),
       .current = {[](void* stage) {
                     return static_cast<PowerStagePlant*>(stage)->measured_ampere();
                   },

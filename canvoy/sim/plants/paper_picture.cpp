@@ -26,14 +26,11 @@ Columns inked(const Glyph& glyph) {
 }  // namespace
 
 cia447::PrinterPaper PaperPicture::paper() {
-  return {
-      .put = Callback<void(const cia447::PrintedCharacter&)>::to<&PaperPicture::put>(*this),
-      .width =
-          Callback<unsigned(char32_t, const cia447::PrintStyle&)>::to<&PaperPicture::width>(*this),
-      .put_row =
-          Callback<void(std::span<const cia447::PrintColor>)>::to<&PaperPicture::put_row>(*this),
-      .feed = Callback<void(unsigned)>::to<&PaperPicture::feed>(*this),
-      .cut = Callback<void()>::to<&PaperPicture::cut>(*this)};
+  return {.put = callback<&PaperPicture::put>(*this),
+          .width = callback<&PaperPicture::width>(*this),
+          .put_row = callback<&PaperPicture::put_row>(*this),
+          .feed = callback<&PaperPicture::feed>(*this),
+          .cut = callback<&PaperPicture::cut>(*this)};
 }
 
 /// The columns with ink, and one that is empty.

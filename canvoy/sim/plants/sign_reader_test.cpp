@@ -21,7 +21,7 @@ class Sign : public testing::Test {
   Time midnight() { return {}; }
 
   std::vector<std::uint8_t> octets_;
-  BusDisplay display_{{.columns = 12, .lines = 2}, Callback<Time()>::to<&Sign::midnight>(*this)};
+  BusDisplay display_{{.columns = 12, .lines = 2}, callback<&Sign::midnight>(*this)};
 };
 
 TEST_F(Sign, IsReadByItsDots) {

@@ -262,7 +262,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
                   const DeviceOutput& output) {
   World world;
   const BusIndex bus = world.add_bus({.bit_rate = simulated_bit_rate(options.bit_rate)});
-  DeviceHardware hardware(options, Callback<Time()>::to<&World::now>(world), output);
+  DeviceHardware hardware(options, callback<&World::now>(world), output);
   std::deque<HostedDevice> devices;
   std::vector<SlotIndex> slots;
   for (const Wanted& device : wanted) {

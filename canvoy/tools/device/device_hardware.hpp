@@ -43,13 +43,10 @@ class LiftCar {
 
   /// This must outlive the devices that are made in the environment.
   void join(Environment& environment) {
-    environment.provide(Callback<cia417::CarDriveHardware()>::to<&LiftCar::drive_hardware>(*this));
-    environment.provide(
-        Callback<cia417::CarPositionHardware()>::to<&LiftCar::position_hardware>(*this));
-    environment.provide(
-        Callback<cia417::CarPositionSettings()>::to<&LiftCar::position_settings>(*this));
-    environment.watch(
-        Callback<void(cia417::CarPositionUnit&, Node&)>::to<&LiftCar::is_measured>(*this));
+    environment.provide(callback<&LiftCar::drive_hardware>(*this));
+    environment.provide(callback<&LiftCar::position_hardware>(*this));
+    environment.provide(callback<&LiftCar::position_settings>(*this));
+    environment.watch(callback<&LiftCar::is_measured>(*this));
   }
 
  private:
@@ -62,7 +59,7 @@ class LiftCar {
     return plant_.drive_hardware();
   }
   cia417::CarPositionHardware position_hardware() {
-    return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&LiftCar::sense>(*this)};
+    return {.sense = callback<&LiftCar::sense>(*this)};
   }
   /// Settings of a shaft with one floor every three metres.
   cia417::CarPositionSettings position_settings() { return {.cams = cams_}; }
@@ -100,11 +97,9 @@ class DeviceHardware {
 
   /// This must outlive the devices that are made in the environment.
   void join(Environment& environment) {
-    environment.provide(Callback<cia419::ChargerHardware()>::to<&DeviceHardware::charger>(*this));
-    environment.provide(
-        Callback<cia418::BatteryHardware()>::to<&BatteryPlant::hardware>(plant_.battery));
-    environment.watch(
-        Callback<void(cia418::Battery&, Node&)>::to<&DeviceHardware::is_charged>(*this));
+    environment.provide(callback<&DeviceHardware::charger>(*this));
+    environment.provide(callback<&BatteryPlant::hardware>(plant_.battery));
+    environment.watch(battery_);
     car_.join(environment);
     units_.join(environment);
     road_car_.join(environment);
@@ -125,7 +120,7 @@ class DeviceHardware {
   LiftCar& lift_car() { return car_; }
   LiftUnits& lift_units() { return units_; }
   Callback<Time()> clock() const { return clock_; }
-  Callback<void(Time)> on_step() { return Callback<void(Time)>::to<&DeviceHardware::step>(*this); }
+  Callback<void(Time)> on_step() { return callback<&DeviceHardware::step>(*this); }
 
  private:
   /// The clock of this machine, in UTC.
@@ -139,7 +134,6 @@ class DeviceHardware {
     hardware.time_of_day = {[](void*) { return host_time(); }, nullptr};
     return hardware;
   }
-  void is_charged(cia418::Battery& battery, Node& /*node*/) { battery_ = &battery; }
 
   ChargingPlant plant_;
   LiftCar car_;

@@ -59,19 +59,13 @@ void LiftUnits::plan_load(const std::string& text) {
 
 void LiftUnits::join(Environment& environment) {
   using cia417::CarDoorUnit, cia417::LightBarrierUnit, cia417::LoadMeasuringUnit;
-  environment.provide(Callback<cia417::DoorHardware()>::to<&lift::DoorPlant::hardware>(door_));
-  environment.provide(
-      Callback<cia417::LightBarrierHardware()>::to<&lift::DoorPlant::light_barrier_hardware>(
-          door_));
-  environment.provide(Callback<cia417::LoadHardware()>::to<&lift::LoadCell::hardware>(cell_));
-  environment.provide(Callback<cia417::LoadSettings()>::to<&LiftUnits::load_settings>(*this));
-  environment.watch(
-      Callback<void(CarDoorUnit&, Node&)>::to<&LiftUnits::is_there<CarDoorUnit>>(*this));
-  environment.watch(
-      Callback<void(LightBarrierUnit&, Node&)>::to<&LiftUnits::is_there<LightBarrierUnit>>(*this));
-  environment.watch(
-      Callback<void(LoadMeasuringUnit&, Node&)>::to<&LiftUnits::is_there<LoadMeasuringUnit>>(
-          *this));
+  environment.provide(callback<&lift::DoorPlant::hardware>(door_));
+  environment.provide(callback<&lift::DoorPlant::light_barrier_hardware>(door_));
+  environment.provide(callback<&lift::LoadCell::hardware>(cell_));
+  environment.provide(callback<&LiftUnits::load_settings>(*this));
+  environment.watch(callback<&LiftUnits::is_there<CarDoorUnit>>(*this));
+  environment.watch(callback<&LiftUnits::is_there<LightBarrierUnit>>(*this));
+  environment.watch(callback<&LiftUnits::is_there<LoadMeasuringUnit>>(*this));
 }
 
 cia417::LoadSettings LiftUnits::load_settings() {

@@ -38,11 +38,11 @@ DeviceWires::DeviceWires(std::string_view device, DeviceHardware& hardware,
       orders_({{device_, hands_}}) {
   using cia417::InputPanelUnit, cia417::OutputPanelUnit, cia417::SensorUnit;
   io_.join(environment);
-  environment.provide(Callback<cia417::OutputHardware()>::to<&DeviceWires::lamps>(*this));
-  environment.provide(Callback<cia417::SensorSettings()>::to<&DeviceWires::sensors>(*this));
-  environment.watch(Callback<void(InputPanelUnit&, Node&)>::to<&DeviceWires::has_inputs>(*this));
-  environment.watch(Callback<void(OutputPanelUnit&, Node&)>::to<&DeviceWires::has_outputs>(*this));
-  environment.watch(Callback<void(SensorUnit&, Node&)>::to<&DeviceWires::has_sensors>(*this));
+  environment.provide(callback<&DeviceWires::lamps>(*this));
+  environment.provide(callback<&DeviceWires::sensors>(*this));
+  environment.watch(inputs_);
+  environment.watch(outputs_);
+  environment.watch(sensor_unit_);
 }
 
 void DeviceWires::step(Node& node, Time now) {
@@ -145,8 +145,7 @@ bool DeviceWires::catch_safety_gear(bool is_caught) {
 }
 
 cia417::OutputHardware DeviceWires::lamps() {
-  return {.show = Callback<void(std::uint32_t, const cia417::OutputView&)>::to<&DeviceWires::show>(
-              *this)};
+  return {.show = callback<&DeviceWires::show>(*this)};
 }
 
 void DeviceWires::show(std::uint32_t number, const cia417::OutputView& view) {

@@ -59,9 +59,6 @@ class DeviceWires : public WiredThings {
   bool look();
   cia417::OutputHardware lamps();
   cia417::SensorSettings sensors() { return {.sensors = sensors_}; }
-  void has_inputs(cia417::InputPanelUnit& unit, Node& /*node*/) { inputs_ = &unit; }
-  void has_outputs(cia417::OutputPanelUnit& unit, Node& /*node*/) { outputs_ = &unit; }
-  void has_sensors(cia417::SensorUnit& unit, Node& /*node*/) { sensor_unit_ = &unit; }
   void show(std::uint32_t number, const cia417::OutputView& view);
   void act(const HandOrder& order, Time now);
 

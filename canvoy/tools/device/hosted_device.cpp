@@ -27,14 +27,14 @@ LssOption::LssOption(const DeviceOutput& output, std::string who, Node& node,
       slave_{node, hooks(settings),
              bit_timing_ ? bit_timing_->present() : std::uint8_t{lss_bit_timing::unknown}} {
   if (store_) store_->on_stored(LssStore::Stored::to<&LssSlave::stored>(slave_));
-  service_.reset = Callback<void(ResetScope)>::to<&LssOption::reset>(*this);
+  service_.reset = callback<&LssOption::reset>(*this);
   node.attach(service_);
 }
 
 /// Makes the requested functions for the slave.
 LssSlaveHooks LssOption::hooks(const Settings& settings) {
   LssSlaveHooks hooks;
-  hooks.state_entered = Callback<void(LssState)>::to<&LssOption::entered>(*this);
+  hooks.state_entered = callback<&LssOption::entered>(*this);
   if (settings.flash != nullptr) {
     hooks.store = store_.emplace(node_, *settings.flash, settings.place).hook();
   }
@@ -45,10 +45,8 @@ LssSlaveHooks LssOption::hooks(const Settings& settings) {
   if (settings.takes_stored_bit_rate && lss_bit_timing::bit_rate(stored) != 0) {
     timing.switch_to(stored);
   }
-  hooks.configure_bit_timing =
-      Callback<LssError(std::uint8_t)>::to<&InterfaceBitTiming::configure>(timing);
-  hooks.activate_bit_timing =
-      switch_.emplace(node_, Callback<void(std::uint8_t)>::to<&LssOption::switch_to>(*this)).hook();
+  hooks.configure_bit_timing = callback<&InterfaceBitTiming::configure>(timing);
+  hooks.activate_bit_timing = switch_.emplace(node_, callback<&LssOption::switch_to>(*this)).hook();
   return hooks;
 }
 
@@ -72,7 +70,7 @@ void LssOption::entered(LssState state) {
 class HostedDevice::HeartbeatOption {
  public:
   HeartbeatOption(Node& node, unsigned period_ms) : node_(node), period_ms_(period_ms) {
-    service_.reset = Callback<void(ResetScope)>::to<&HeartbeatOption::reset>(*this);
+    service_.reset = callback<&HeartbeatOption::reset>(*this);
     node.attach(service_);
   }
 
@@ -93,8 +91,8 @@ class HostedDevice::StateTeller {
  public:
   StateTeller(const DeviceOutput& output, std::string who, Node& node)
       : output_(output), who_(std::move(who)) {
-    service_.state_entered = Callback<void(NmtState)>::to<&StateTeller::entered>(*this);
-    service_.bus_state_changed = Callback<void(BusState)>::to<&StateTeller::bus_changed>(*this);
+    service_.state_entered = callback<&StateTeller::entered>(*this);
+    service_.bus_state_changed = callback<&StateTeller::bus_changed>(*this);
     node.attach(service_);
   }
 
@@ -186,8 +184,7 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   environment_.keeps_parameters = !wanted.store.empty() && car_units.empty();
   if (car_units.empty()) {
     hardware.join(environment_);
-    environment_.watch(
-        Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
+    environment_.watch(callback<&HostedDevice::is_charger>(*this));
   } else {
     hardware.road_car().join(environment_);
   }
@@ -241,7 +238,7 @@ void HostedDevice::hold(const std::shared_ptr<Device>& device) {
 
 void HostedDevice::is_charger(cia419::Charger& charger, Node& /*node*/) {
   charger_ = &charger;
-  charger.on_event(Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
+  charger.on_event(callback<&HostedDevice::charger_said>(*this));
 }
 
 void HostedDevice::hold_bootloader(const Wanted& wanted, const Port& port) {

@@ -7,8 +7,8 @@
 namespace canvoy::tools {
 
 void IoWires::join(Environment& environment) {
-  environment.provide(Callback<cia401::IoHardware()>::to<&IoWires::hardware>(*this));
-  environment.watch(Callback<void(cia401::IoUnit&, Node&)>::to<&IoWires::is_made>(*this));
+  environment.provide(callback<&IoWires::hardware>(*this));
+  environment.watch(unit_);
 }
 
 cia401::IoHardware IoWires::hardware() {

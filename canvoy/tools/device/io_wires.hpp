@@ -34,7 +34,6 @@ class IoWires {
   static constexpr unsigned inputs_of_group = 8;
 
   cia401::IoHardware hardware();
-  void is_made(cia401::IoUnit& unit, Node& /*node*/) { unit_ = &unit; }
   std::uint8_t sense(unsigned group) { return inputs_.at(group - 1); }
   /// Value of a converter: the upper 16 of 32 bits.
   std::int32_t measure(unsigned channel) { return analogue_inputs_.at(channel - 1) * 0x1'0000; }

@@ -69,7 +69,7 @@ class Wired {
 
   const DeviceKind& kind_;
   DeviceOutput output_;
-  DeviceHardware hardware_{DeviceOptions{}, Callback<Time()>::to<&Wired::now>(*this), output_};
+  DeviceHardware hardware_{DeviceOptions{}, callback<&Wired::now>(*this), output_};
   std::unique_ptr<DeviceWires> wires_;
   std::unique_ptr<CatalogueDevice> device_;
 };

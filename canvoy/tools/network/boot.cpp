@@ -48,11 +48,10 @@ class Boot {
  public:
   Boot(const BootPlan& plan, const Port& port, bool json)
       : plan_(plan), master_(plan, port), json_(json) {
-    master_.boot_manager().on_report(Callback<void(const BootReport&)>::to<&Boot::told>(*this));
-    master_.boot_manager().on_network(Callback<void(NetworkBoot)>::to<&Boot::network_is>(*this));
+    master_.boot_manager().on_report(callback<&Boot::told>(*this));
+    master_.boot_manager().on_network(callback<&Boot::network_is>(*this));
     master_.configurations().on_done(ConfigurationManager::Done::to<&Boot::configured>(*this));
-    master_.programs().on_update(
-        Callback<void(NodeId, const ProgramOutcome&)>::to<&Boot::updated>(*this));
+    master_.programs().on_update(callback<&Boot::updated>(*this));
   }
 
   Node& node() { return master_.node(); }

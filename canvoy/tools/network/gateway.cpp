@@ -150,8 +150,7 @@ class BootedNetwork {
         network_(served.network()),
         attachment_(loop, served.bus()),
         master_(plan_, attachment_.port()) {
-    master_.boot_manager().on_report(
-        Callback<void(const BootReport&)>::to<&BootedNetwork::told>(*this));
+    master_.boot_manager().on_report(callback<&BootedNetwork::told>(*this));
     attachment_.attach(master_.node());
     master_.node().start(loop.now());
   }
@@ -205,8 +204,8 @@ class StdinClient {
       : loop_(loop), gateway_(gateway), session_(gateway.open()) {
     gateway_.on_settled([this] { serve(); });
     host::Task task;
-    task.deadline = Callback<Time()>::to<&StdinClient::deadline>(*this);
-    task.advance = Callback<void(Time)>::to<&StdinClient::advance>(*this);
+    task.deadline = callback<&StdinClient::deadline>(*this);
+    task.advance = callback<&StdinClient::advance>(*this);
     task_ = loop_.add(task);
   }
   ~StdinClient() {

@@ -17,7 +17,7 @@ namespace canvoy::tools {
 class Presets {
  public:
   explicit Presets(Node& node) : node_(node) {
-    service_.reset = Callback<void(ResetScope)>::to<&Presets::reset>(*this);
+    service_.reset = callback<&Presets::reset>(*this);
     node.attach(service_);
   }
   Presets(const Presets&) = delete;

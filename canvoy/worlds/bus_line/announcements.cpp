@@ -17,30 +17,23 @@ constexpr InvariantKind announcements_in(unsigned car) {
 void Announcements::add_first_car() {
   using cia407::AcousticAnnouncerHardware;
   Environment& environment = nodes_.add_site();
-  environment.provide(
-      Callback<AcousticAnnouncerHardware()>::to<&Announcements::first_hardware>(*this));
+  environment.provide(callback<&Announcements::first_hardware>(*this));
   nodes_.add(announcer_id, environment);
 }
 
 void Announcements::add_second_car() {
   using cia407::AcousticAnnouncerHardware;
   Environment& environment = nodes_.add_site();
-  environment.provide(
-      Callback<AcousticAnnouncerHardware()>::to<&Announcements::second_hardware>(*this));
+  environment.provide(callback<&Announcements::second_hardware>(*this));
   nodes_.add(second_announcer_id, environment);
 }
 
 cia407::AcousticAnnouncerHardware Announcements::first_hardware() {
-  return {.announce =
-              Callback<bool(std::uint32_t, std::string_view)>::to<&Announcements::say_in_first_car>(
-                  *this)};
+  return {.announce = callback<&Announcements::say_in_first_car>(*this)};
 }
 
 cia407::AcousticAnnouncerHardware Announcements::second_hardware() {
-  return {
-      .announce =
-          Callback<bool(std::uint32_t, std::string_view)>::to<&Announcements::say_in_second_car>(
-              *this)};
+  return {.announce = callback<&Announcements::say_in_second_car>(*this)};
 }
 
 bool Announcements::say_in_first_car(std::uint32_t stop_point, std::string_view /*text*/) {

@@ -11,9 +11,9 @@ using cia407::ShownElement;
 
 cia407::DisplayHardware ShownDisplay::hardware() {
   cia407::DisplayHardware wires = display_.hardware();
-  wires.show = Callback<void(std::span<const ShownElement>)>::to<&ShownDisplay::show>(*this);
-  wires.show_stop_request = Callback<void(bool)>::to<&ShownDisplay::show_stop_request>(*this);
-  wires.test = Callback<void(bool)>::to<&ShownDisplay::test>(*this);
+  wires.show = callback<&ShownDisplay::show>(*this);
+  wires.show_stop_request = callback<&ShownDisplay::show_stop_request>(*this);
+  wires.test = callback<&ShownDisplay::test>(*this);
   return wires;
 }
 
@@ -71,10 +71,9 @@ constexpr BusDisplay::Size screen_size = {.columns = 40, .lines = 4};
 
 void BusDisplays::add(NodeId id, const ShownDisplay::Sabotage& sabotage) {
   displays_.at(id) = std::make_unique<ShownDisplay>(
-      size_of(id), Callback<Time()>::to<&BusDisplays::clock>(*this), changed_, sabotage);
+      size_of(id), callback<&BusDisplays::clock>(*this), changed_, sabotage);
   Environment& environment = nodes_.add_site();
-  environment.provide(
-      Callback<cia407::DisplayHardware()>::to<&ShownDisplay::hardware>(*displays_.at(id)));
+  environment.provide(callback<&ShownDisplay::hardware>(*displays_.at(id)));
   nodes_.add(id, environment);
 }
 

@@ -98,19 +98,18 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
       clock_(options_, world_, vehicle_),
       computer_(nodes_, options_, vehicle_, clock_),
       displays_(nodes_, options_.sabotage,
-                Callback<void()>::to<&DisplayWatch::displays_changed>(display_watch_)),
+                callback<&DisplayWatch::displays_changed>(display_watch_)),
       tickets_(nodes_, options_.sabotage,
                TicketDevices::Issued::to<&ServiceWatch::ticket_issued>(service_)),
       announcements_(nodes_, options_, truth_, referee_, events_),
       sensors_(nodes_, options_.sabotage, vehicle_, clock_),
       second_car_(nodes_, options_.sabotage),
       stop_requests_(nodes_, {displays_, computer_, second_car_, vehicle_, referee_}, events_),
-      faults_(
-          nodes_, options_.faults,
-          {displays_, computer_, sensors_, tickets_, second_car_, vehicle_, referee_},
-          {.began = Callback<void(const InvariantSet&)>::to<&ServiceWatch::fault_begins>(service_),
-           .vehicle_touched = Callback<void()>::to<&BusNetwork::wake_vehicle>(*this)},
-          events_),
+      faults_(nodes_, options_.faults,
+              {displays_, computer_, sensors_, tickets_, second_car_, vehicle_, referee_},
+              {.began = callback<&ServiceWatch::fault_begins>(service_),
+               .vehicle_touched = callback<&BusNetwork::wake_vehicle>(*this)},
+              events_),
       display_watch_(nodes_, options_.line, displays_, vehicle_, referee_, events_),
       service_(nodes_,
                {faults_, vehicle_, computer_, sensors_, truth_, referee_, capacity_of(options_)},
@@ -121,9 +120,8 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
   add_nodes();
   hear_messages();
   referee_.cannot_judge(unknown_without(options_.real));
-  vehicle_plant_ =
-      world_.add_sleeping_plant(Callback<void(Time)>::to<&BusNetwork::move_vehicle>(*this));
-  world_.add_plant(Callback<void(Time)>::to<&BusNetwork::step>(*this), step_time);
+  vehicle_plant_ = world_.add_sleeping_plant(callback<&BusNetwork::move_vehicle>(*this));
+  world_.add_plant(callback<&BusNetwork::step>(*this), step_time);
   wake_vehicle();
   faults_.plan();
   if (options_.sabotage.false_messages) send_false_message();

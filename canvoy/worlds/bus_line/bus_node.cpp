@@ -31,8 +31,7 @@ void BusNode::make() {
   device_ =
       std::make_unique<cia407::BusDevice>(units_, world_.port(slot_), place_.id, environment_);
   identity_.emplace(node(), IdentityValues{.serial_number = place_.serial_number});
-  next_restored_ =
-      node().on_defaults_restored(Callback<void(ResetScope)>::to<&BusNode::restore>(*this));
+  next_restored_ = node().on_defaults_restored(callback<&BusNode::restore>(*this));
   world_.occupy(slot_, node());
 }
 

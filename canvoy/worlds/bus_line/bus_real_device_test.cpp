@@ -109,11 +109,11 @@ class BusWith {
       : network(options_with(it.id)),
         bus_(car_of(it.id) - 1),
         node(network.world(), bus_, it.units, {.name = "real", .id = it.id}, environment_),
-        display_({.columns = 24, .lines = 2}, Callback<Time()>::to<&BusWith::clock>(*this),
-                 Callback<void()>::to<&BusWith::changed>(*this), {}) {
-    environment_.provide(Callback<DisplayHardware()>::to<&ShownDisplay::hardware>(display_));
-    environment_.provide(Callback<AcousticAnnouncerHardware()>::to<&BusWith::announcer>(*this));
-    environment_.provide(Callback<VehicleGatewayHardware()>::to<&BusWith::gateway>(*this));
+        display_({.columns = 24, .lines = 2}, callback<&BusWith::clock>(*this),
+                 callback<&BusWith::changed>(*this), {}) {
+    environment_.provide(callback<&ShownDisplay::hardware>(display_));
+    environment_.provide(callback<&BusWith::announcer>(*this));
+    environment_.provide(callback<&BusWith::gateway>(*this));
     master_ = network.world().bus(bus_).attach({});
   }
   /// Where the master is the real device, the test starts the others.
@@ -134,13 +134,10 @@ class BusWith {
   }
   Time clock() { return network.now(); }
   void changed() {}
-  VehicleGatewayHardware gateway() {
-    return {.read = Callback<VehicleReading()>::to<&BusWith::read_vehicle>(*this)};
-  }
+  VehicleGatewayHardware gateway() { return {.read = callback<&BusWith::read_vehicle>(*this)}; }
   VehicleReading read_vehicle() { return vehicle; }
   AcousticAnnouncerHardware announcer() {
-    return {.announce =
-                Callback<bool(std::uint32_t, std::string_view)>::to<&BusWith::announce>(*this)};
+    return {.announce = callback<&BusWith::announce>(*this)};
   }
   bool announce(std::uint32_t stop_point, std::string_view) {
     announced_ += std::to_string(stop_point) + " ";

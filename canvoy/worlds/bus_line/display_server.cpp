@@ -94,9 +94,8 @@ constexpr Duration retry_after = 500ms;
 
 DisplayServer::DisplayServer(Node& node, const NmtMaster& master, cia407::TextSender& texts)
     : node_(node), master_(master), texts_(texts) {
-  texts_.on_done(Callback<void(NodeId, bool)>::to<&DisplayServer::arrived>(*this));
-  texts_.on_read(
-      Callback<void(NodeId, std::optional<std::uint32_t>)>::to<&DisplayServer::told>(*this));
+  texts_.on_done(callback<&DisplayServer::arrived>(*this));
+  texts_.on_read(callback<&DisplayServer::told>(*this));
 }
 
 DisplayServer::Served* DisplayServer::find(NodeId id) {

@@ -31,19 +31,19 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       settings_(std::move(settings)),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
-      gaps_(device.node(), Callback<void(NodeId)>::to<&LineControl::ask_anew>(*this), rhythms_),
+      gaps_(device.node(), callback<&LineControl::ask_anew>(*this), rhythms_),
       displays_(device.node(), master_, hardware.computer->texts()),
-      timer_(Callback<void(Time)>::to<&LineControl::look>(*this)),
+      timer_(callback<&LineControl::look>(*this)),
       position_({.odometer = hardware.odometer, .has_open_door = hardware.has_open_door}),
       clock_(hardware.clock) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   if (JourneyTexts::need_more_sets(line())) {
-    displays_.ask_for_sets(Callback<void()>::to<&LineControl::sets_learnt>(*this));
+    displays_.ask_for_sets(callback<&LineControl::sets_learnt>(*this));
   }
-  device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
+  device.on_reset = callback<&LineControl::reset>(*this);
   device.react(*this, hook_calls);
-  master_.on_message(Callback<void(NodeId, RemoteState)>::to<&LineControl::heard>(*this));
-  master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
+  master_.on_message(callback<&LineControl::heard>(*this));
+  master_.on_change(callback<&LineControl::changed>(*this));
   for (const NodeId id : settings_.nodes) {
     master_.set_time_out(
         id, id == settings_.identification ? settings_.identification_time_out : node_time_out);

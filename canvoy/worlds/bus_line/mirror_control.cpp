@@ -29,15 +29,15 @@ MirrorControl::MirrorControl(cia407::VirtualDevice& device, const MirrorControlH
       settings_(std::move(settings)),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
-      gaps_(device.node(), Callback<void(NodeId)>::to<&MirrorControl::ask_anew>(*this), rhythms_),
+      gaps_(device.node(), callback<&MirrorControl::ask_anew>(*this), rhythms_),
       texts_(device.node()),
       displays_(device.node(), master_, texts_),
-      timer_(Callback<void(Time)>::to<&MirrorControl::look>(*this)) {
+      timer_(callback<&MirrorControl::look>(*this)) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
-  device.on_reset = Callback<void(ResetScope)>::to<&MirrorControl::reset>(*this);
+  device.on_reset = callback<&MirrorControl::reset>(*this);
   device.react(*this, hook_calls);
-  master_.on_message(Callback<void(NodeId, RemoteState)>::to<&MirrorControl::heard>(*this));
-  master_.on_change(Callback<void(NodeId, RemoteState)>::to<&MirrorControl::changed>(*this));
+  master_.on_message(callback<&MirrorControl::heard>(*this));
+  master_.on_change(callback<&MirrorControl::changed>(*this));
   for (const NodeId id : settings_.nodes) master_.set_time_out(id, mirror_time_out);
 }
 

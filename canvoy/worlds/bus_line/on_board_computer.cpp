@@ -17,24 +17,16 @@ constexpr double pulses_a_metre = 8;
 void OnBoardComputer::add_nodes() {
   using namespace cia407;
   Environment& environment = nodes_.add_site();
-  environment.provide(
-      Callback<MainOnBoardComputerHardware()>::to<&OnBoardComputer::hardware>(*this));
-  environment.provide(
-      Callback<MainOnBoardComputerSettings()>::to<&OnBoardComputer::settings>(*this));
-  environment.watch(
-      Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&OnBoardComputer::is_unit>(*this));
-  environment.provide(
-      Callback<LineControlHardware()>::to<&OnBoardComputer::line_control_hardware>(*this));
-  environment.provide(
-      Callback<LineControlSettings()>::to<&OnBoardComputer::line_control_settings>(*this));
-  environment.watch(
-      Callback<void(LineControl&, Node&)>::to<&OnBoardComputer::is_line_control>(*this));
+  environment.provide(callback<&OnBoardComputer::hardware>(*this));
+  environment.provide(callback<&OnBoardComputer::settings>(*this));
+  environment.watch(unit_);
+  environment.provide(callback<&OnBoardComputer::line_control_hardware>(*this));
+  environment.provide(callback<&OnBoardComputer::line_control_settings>(*this));
+  environment.watch(line_control_);
   nodes_.add(computer_id, environment);
   Environment& driver = nodes_.add_site();
-  driver.provide(
-      Callback<IdentificationHardware()>::to<&OnBoardComputer::identification_hardware>(*this));
-  driver.watch(
-      Callback<void(IdentificationUnit&, Node&)>::to<&OnBoardComputer::is_identification>(*this));
+  driver.provide(callback<&OnBoardComputer::identification_hardware>(*this));
+  driver.watch(identification_);
   nodes_.add(identification_id, driver);
 }
 
@@ -77,10 +69,9 @@ std::optional<RealMotion> OnBoardComputer::heard_motion() {
 
 LineControlHardware OnBoardComputer::line_control_hardware() {
   return {.computer = unit_,
-          .odometer = Callback<double()>::to<&OnBoardComputer::pulses_as_metres>(*this),
-          .has_open_door = Callback<bool()>::to<&OnBoardComputer::has_open_door>(*this),
-          .clock =
-              Callback<std::optional<cia407::CivilTime>()>::to<&OnBoardComputer::own_clock>(*this)};
+          .odometer = callback<&OnBoardComputer::pulses_as_metres>(*this),
+          .has_open_door = callback<&OnBoardComputer::has_open_door>(*this),
+          .clock = callback<&OnBoardComputer::own_clock>(*this)};
 }
 
 LineControlSettings OnBoardComputer::line_control_settings() {
@@ -128,8 +119,7 @@ std::optional<cia407::CivilTime> OnBoardComputer::told_clock() {
 
 cia407::MainOnBoardComputerHardware OnBoardComputer::hardware() {
   line_control_ = nullptr;  // the new device has none yet
-  return {.clock = Callback<std::optional<cia407::CivilTime>()>::to<&OnBoardComputer::told_clock>(
-              *this)};
+  return {.clock = callback<&OnBoardComputer::told_clock>(*this)};
 }
 
 cia407::MainOnBoardComputerSettings OnBoardComputer::settings() {
@@ -137,7 +127,7 @@ cia407::MainOnBoardComputerSettings OnBoardComputer::settings() {
 }
 
 cia407::IdentificationHardware OnBoardComputer::identification_hardware() {
-  return {.remembered = Callback<cia407::Assignment()>::to<&OnBoardComputer::remembered>(*this)};
+  return {.remembered = callback<&OnBoardComputer::remembered>(*this)};
 }
 
 }  // namespace canvoy::bus_line

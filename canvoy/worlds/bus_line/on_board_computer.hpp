@@ -46,19 +46,14 @@ class OnBoardComputer {
  private:
   cia407::MainOnBoardComputerHardware hardware();
   cia407::MainOnBoardComputerSettings settings();
-  void is_unit(cia407::MainOnBoardComputerUnit& unit, Node& /*node*/) { unit_ = &unit; }
   LineControlHardware line_control_hardware();
   LineControlSettings line_control_settings();
-  void is_line_control(LineControl& control, Node& /*node*/) { line_control_ = &control; }
   double pulses_as_metres();
   bool has_open_door() { return !vehicle_.all_doors_closed(); }
   std::optional<cia407::CivilTime> own_clock();
   std::optional<cia407::CivilTime> told_clock();
   cia407::IdentificationHardware identification_hardware();
   cia407::Assignment remembered() { return remembered_; }
-  void is_identification(cia407::IdentificationUnit& unit, Node& /*node*/) {
-    identification_ = &unit;
-  }
 
   BusNodes& nodes_;
   const BusNetworkOptions& options_;

@@ -6,13 +6,11 @@
 namespace canvoy::bus_line {
 
 cia407::TrainBusGatewayHardware TrainLink::first_hardware() {
-  return {.send = Callback<void(std::uint16_t, std::uint8_t,
-                                std::span<const std::uint8_t>)>::to<&TrainLink::send>(*this)};
+  return {.send = callback<&TrainLink::send>(*this)};
 }
 
 cia407::TrainBusGatewayHardware TrainLink::second_hardware() {
-  return {.send = Callback<void(std::uint16_t, std::uint8_t,
-                                std::span<const std::uint8_t>)>::to<&TrainLink::send_back>(*this)};
+  return {.send = callback<&TrainLink::send_back>(*this)};
 }
 
 bool TrainLink::press_stop_button() {
@@ -82,21 +80,21 @@ void TrainLink::hand_over(std::span<const Value> values, bool is_back, BusNode& 
 void SecondCar::add_nodes() {
   using namespace cia407;
   Environment& first = nodes_.add_site();
-  first.provide(Callback<TrainBusGatewayHardware()>::to<&TrainLink::first_hardware>(train_));
-  first.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainLink::is_first>(train_));
+  first.provide(callback<&TrainLink::first_hardware>(train_));
+  first.watch(callback<&TrainLink::is_first>(train_));
   nodes_.add(train_gateway_id, first);
   Environment& second = nodes_.add_site();
-  second.provide(Callback<BusSegment()>::to<&SecondCar::segment>(*this));
-  second.provide(Callback<TrainBusGatewayHardware()>::to<&TrainLink::second_hardware>(train_));
-  second.provide(Callback<MirrorControlHardware()>::to<&SecondCar::mirror_hardware>(*this));
-  second.provide(Callback<MirrorControlSettings()>::to<&SecondCar::mirror_settings>(*this));
-  second.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainLink::is_second>(train_));
+  second.provide(callback<&SecondCar::segment>(*this));
+  second.provide(callback<&TrainLink::second_hardware>(train_));
+  second.provide(callback<&SecondCar::mirror_hardware>(*this));
+  second.provide(callback<&SecondCar::mirror_settings>(*this));
+  second.watch(callback<&TrainLink::is_second>(train_));
   nodes_.add(second_gateway_id, second);
   train_.join(nodes_.node(train_gateway_id), nodes_.node(second_gateway_id));
 }
 
 MirrorControlHardware SecondCar::mirror_hardware() {
-  return {.is_coupled = Callback<bool()>::to<&TrainLink::is_coupled>(train_)};
+  return {.is_coupled = callback<&TrainLink::is_coupled>(train_)};
 }
 
 MirrorControlSettings SecondCar::mirror_settings() {

@@ -5,14 +5,12 @@ namespace canvoy::bus_line {
 void TicketDevices::add_nodes() {
   using namespace cia407;
   Environment& canceller = nodes_.add_site();
-  canceller.provide(
-      Callback<TicketCancellerHardware()>::to<&TicketDevices::canceller_hardware>(*this));
-  canceller.watch(
-      Callback<void(TicketCancellerUnit&, Node&)>::to<&TicketDevices::is_canceller>(*this));
+  canceller.provide(callback<&TicketDevices::canceller_hardware>(*this));
+  canceller.watch(canceller_);
   nodes_.add(canceller_id, canceller);
   Environment& printer = nodes_.add_site();
-  printer.provide(Callback<TicketPrinterHardware()>::to<&TicketDevices::printer_hardware>(*this));
-  printer.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketDevices::is_printer>(*this));
+  printer.provide(callback<&TicketDevices::printer_hardware>(*this));
+  printer.watch(printer_);
   nodes_.add(printer_id, printer);
 }
 
@@ -34,7 +32,7 @@ bool TicketDevices::buy() {
 }
 
 cia407::TicketCancellerHardware TicketDevices::canceller_hardware() {
-  return {.stamp = Callback<void(const cia407::TicketData&)>::to<&TicketDevices::stamp>(*this)};
+  return {.stamp = callback<&TicketDevices::stamp>(*this)};
 }
 
 void TicketDevices::stamp(const cia407::TicketData& ticket) {
@@ -45,8 +43,8 @@ void TicketDevices::stamp(const cia407::TicketData& ticket) {
 }
 
 cia407::TicketPrinterHardware TicketDevices::printer_hardware() {
-  return {.print = Callback<bool(const cia407::TicketData&)>::to<&TicketDevices::print>(*this),
-          .has_paper = Callback<bool()>::to<&TicketDevices::has_paper>(*this)};
+  return {.print = callback<&TicketDevices::print>(*this),
+          .has_paper = callback<&TicketDevices::has_paper>(*this)};
 }
 
 bool TicketDevices::print(const cia407::TicketData& ticket) {

@@ -35,11 +35,9 @@ class TicketDevices {
  private:
   cia407::TicketCancellerHardware canceller_hardware();
   void stamp(const cia407::TicketData& ticket);
-  void is_canceller(cia407::TicketCancellerUnit& unit, Node& /*node*/) { canceller_ = &unit; }
   cia407::TicketPrinterHardware printer_hardware();
   bool print(const cia407::TicketData& ticket);
   bool has_paper() { return !paper_is_out_; }
-  void is_printer(cia407::TicketPrinterUnit& unit, Node& /*node*/) { printer_ = &unit; }
 
   BusNodes& nodes_;
   const Sabotage& sabotage_;

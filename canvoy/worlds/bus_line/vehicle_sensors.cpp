@@ -23,24 +23,20 @@ void VehicleSensors::add_nodes() {
 void VehicleSensors::add_vehicle_devices() {
   using namespace cia407;
   Environment& gateway = nodes_.add_site();
-  gateway.provide(Callback<VehicleGatewayHardware()>::to<&VehicleSensors::gateway_hardware>(*this));
+  gateway.provide(callback<&VehicleSensors::gateway_hardware>(*this));
   nodes_.add(vehicle_gateway_id, gateway);
   Environment& tachograph = nodes_.add_site();
-  tachograph.provide(
-      Callback<TachographHardware()>::to<&VehicleSensors::tachograph_hardware>(*this));
+  tachograph.provide(callback<&VehicleSensors::tachograph_hardware>(*this));
   nodes_.add(tachograph_id, tachograph);
   nodes_.add(driver_display_id, nodes_.add_site());
   Environment& satellites = nodes_.add_site();
-  satellites.provide(
-      Callback<PositioningHardware()>::to<&VehicleSensors::positioning_hardware>(*this));
-  satellites.provide(Callback<TimeFixingHardware()>::to<&VehicleSensors::time_hardware>(*this));
+  satellites.provide(callback<&VehicleSensors::positioning_hardware>(*this));
+  satellites.provide(callback<&VehicleSensors::time_hardware>(*this));
   nodes_.add(positioning_id, satellites);
 }
 
 void VehicleSensors::add_counters() {
   using namespace cia407;
-  using Settings = PassengerCounterSettings;
-  using Unit = PassengerCounterUnit;
   counters_.push_back({.id = first_counter_id, .door = 1});
   counters_.push_back({.id = second_counter_id, .door = 2});
   for (const AddedDevice& added : nodes_.design().added) {
@@ -48,17 +44,16 @@ void VehicleSensors::add_counters() {
   }
   const auto site_of = [this](DoorCounter& counter) -> Environment& {
     Environment& environment = nodes_.add_site();
-    environment.provide(Callback<Settings()>::to<&DoorCounter::settings>(counter));
-    environment.watch(Callback<void(Unit&, Node&)>::to<&DoorCounter::is_made>(counter));
+    environment.provide(callback<&DoorCounter::settings>(counter));
+    environment.watch(counter.unit);
     return environment;
   };
   nodes_.add(first_counter_id, site_of(counters_[0]));
   Environment& manager = nodes_.add_site();
   if (nodes_.design().capacity) {
-    manager.provide(Callback<CountingManagerSettings()>::to<&VehicleSensors::manager>(*this));
+    manager.provide(callback<&VehicleSensors::manager>(*this));
   }
-  manager.watch(
-      Callback<void(CountingManagerUnit&, Node&)>::to<&VehicleSensors::is_counting_manager>(*this));
+  manager.watch(counting_);
   nodes_.add(counting_manager_id, manager);
   nodes_.add(second_counter_id, site_of(counters_[1]));
   for (const AddedDevice& added : nodes_.design().added) {
@@ -87,7 +82,7 @@ bool VehicleSensors::count_passengers() {
 }
 
 cia407::VehicleGatewayHardware VehicleSensors::gateway_hardware() {
-  return {.read = Callback<cia407::VehicleReading()>::to<&VehicleSensors::read_vehicle>(*this)};
+  return {.read = callback<&VehicleSensors::read_vehicle>(*this)};
 }
 
 cia407::VehicleReading VehicleSensors::read_vehicle() {
@@ -107,8 +102,7 @@ cia407::VehicleReading VehicleSensors::read_vehicle() {
 }
 
 cia407::TachographHardware VehicleSensors::tachograph_hardware() {
-  return {.read =
-              Callback<cia407::TachographReading()>::to<&VehicleSensors::read_tachograph>(*this)};
+  return {.read = callback<&VehicleSensors::read_tachograph>(*this)};
 }
 
 cia407::TachographReading VehicleSensors::read_tachograph() {
@@ -120,7 +114,7 @@ cia407::TachographReading VehicleSensors::read_tachograph() {
 }
 
 cia407::PositioningHardware VehicleSensors::positioning_hardware() {
-  return {.read = Callback<cia447::GpsReading()>::to<&VehicleSensors::read_position>(*this)};
+  return {.read = callback<&VehicleSensors::read_position>(*this)};
 }
 
 cia447::GpsReading VehicleSensors::read_position() {
@@ -135,10 +129,8 @@ cia447::GpsReading VehicleSensors::read_position() {
 }
 
 cia407::TimeFixingHardware VehicleSensors::time_hardware() {
-  return {
-      .utc =
-          Callback<std::optional<cia407::CivilTime>()>::to<&VehicleSensors::satellite_time>(*this),
-      .local_offset = Callback<std::chrono::minutes()>::to<&VehicleSensors::local_offset>(*this)};
+  return {.utc = callback<&VehicleSensors::satellite_time>(*this),
+          .local_offset = callback<&VehicleSensors::local_offset>(*this)};
 }
 
 std::optional<cia407::CivilTime> VehicleSensors::satellite_time() {

@@ -52,7 +52,6 @@ class VehicleSensors {
   /// Counter of a door, from 1 on; the first door is at the front.
   struct DoorCounter {
     cia407::PassengerCounterSettings settings() { return {.door = door}; }
-    void is_made(cia407::PassengerCounterUnit& of, Node& /*node*/) { unit = &of; }
 
     NodeId id = 0;
     unsigned door = 0;
@@ -71,7 +70,6 @@ class VehicleSensors {
   std::chrono::minutes local_offset() { return clock_.offset(); }
   std::optional<cia407::CivilTime> satellite_time();
   cia407::CountingManagerSettings manager() { return {.capacity = *nodes_.design().capacity}; }
-  void is_counting_manager(cia407::CountingManagerUnit& unit, Node& /*node*/) { counting_ = &unit; }
 
   BusNodes& nodes_;
   const Sabotage& sabotage_;

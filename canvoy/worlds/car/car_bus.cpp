@@ -64,8 +64,7 @@ cia447::CarMasterSettings CarBus::master_settings() const {
 }
 
 cia447::CarMemory CarBus::memory() {
-  return {.load = Callback<cia447::KnownDevices()>::to<&CarBus::known>(*this),
-          .store = Callback<void(const cia447::KnownDevices&)>::to<&CarBus::keep>(*this)};
+  return {.load = callback<&CarBus::known>(*this), .store = callback<&CarBus::keep>(*this)};
 }
 
 bool CarBus::is_played(NodeId id) const {

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "canvoy/sim/fault_pairs_test.hpp"
 #include "canvoy/worlds/car/car_node.hpp"
@@ -22,13 +23,13 @@ class RealDevice {
              const CarNode::Place& place, SlotIndex slot)
       : world_(world), units_(units), place_(place), slot_(slot) {}
 
-  template <class Thing>
-  void provide(Callback<Thing()> thing) {
-    environment_.provide(thing);
+  template <class Source>
+  void provide(const Source& source) {
+    environment_.provide(source);
   }
-  template <class Unit>
-  void watch(Callback<void(Unit&, Node&)> watcher) {
-    environment_.watch(watcher);
+  template <class Watcher>
+  void watch(Watcher&& watcher) {
+    environment_.watch(std::forward<Watcher>(watcher));
   }
   /// Joins the bus, also again after it was away.
   void join() {

@@ -22,7 +22,7 @@ VehicleManager::VehicleManager(const Port& port, NodeId id, Duration heartbeat_t
   for (NodeId node = node_id_min; node <= node_id_max; ++node) {
     nodes_.set_time_out(node, heartbeat_time_out);
   }
-  nodes_.on_change(Callback<void(NodeId, RemoteState)>::to<&SdoManager::remote_changed>(manager_));
+  nodes_.on_change(callback<&SdoManager::remote_changed>(manager_));
   device_.node().attach(service_);
 }
 
@@ -82,10 +82,10 @@ cia418::BatterySettings ChargerDevices::battery_settings() const {
 cia419::ChargerHardware ChargerDevices::charger_hardware() {
   cia419::ChargerHardware hardware = plant_.stage.hardware();
   power_stage_ = hardware.deliver;
-  hardware.deliver = Callback<void(double)>::to<&ChargerDevices::deliver>(*this);
+  hardware.deliver = callback<&ChargerDevices::deliver>(*this);
   if (!options_->begin) return hardware;
   clock_.emplace(*world_, *options_->begin);
-  hardware.time_of_day = Callback<std::optional<TimeOfDay>()>::to<&WallClock::now>(*clock_);
+  hardware.time_of_day = callback<&WallClock::now>(*clock_);
   return hardware;
 }
 

@@ -267,12 +267,11 @@ TEST(ChargerNetworkTest, AChargerThatIgnoresNotReadyBreaksItsPromiseAndTheHandsh
     Dictionary& dictionary;
     void after_write(const Entry&, Source) { dictionary.set_number(0x6000, 0, 1); }
   } deaf{sut.charger().node().dictionary()};
-  Hook hook{
-      .first = 0x6000,
-      .last = 0x6000,
-      .before_read = {},
-      .before_write = {},
-      .after_write = Callback<void(const Entry&, Source)>::to<&DeafCharger::after_write>(deaf)};
+  Hook hook{.first = 0x6000,
+            .last = 0x6000,
+            .before_read = {},
+            .before_write = {},
+            .after_write = callback<&DeafCharger::after_write>(deaf)};
   sut.charger().node().dictionary().attach(hook);
   sut.run_until(Time(6min));
   EXPECT_FALSE(invariant_of(sut, InvariantKind::fault_seen).held);

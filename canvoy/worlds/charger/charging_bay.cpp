@@ -143,13 +143,11 @@ ChargingBay::ChargingBay(World& world, const ChargerOptions& options, BusIndex b
       devices_(world, options_, bus),
       referees_(options_, devices_, events_),
       connections_(events_),
-      stepping_(world.add_plant(Callback<void(Time)>::to<&ChargingBay::step>(*this),
-                                ChargingPlant::step_time)),
+      stepping_(world.add_plant(callback<&ChargingBay::step>(*this), ChargingPlant::step_time)),
       faults_(world, options_, devices_, referees_, events_) {
-  devices_.charger().charger().on_event(
-      Callback<void(cia419::Charger::Event)>::to<&ChargingBay::charger_said>(*this));
-  devices_.on_set_point(Callback<void(double)>::to<&ChargerReferees::set_point>(referees_));
-  devices_.on_connections(Callback<void(Time)>::to<&ChargingBay::connections_changed>(*this));
+  devices_.charger().charger().on_event(callback<&ChargingBay::charger_said>(*this));
+  devices_.on_set_point(callback<&ChargerReferees::set_point>(referees_));
+  devices_.on_connections(callback<&ChargingBay::connections_changed>(*this));
 }
 
 void ChargingBay::step(Time now) {

@@ -205,8 +205,7 @@ ChargingYard::ChargingYard(const YardOptions& options)
                   events_.push_back({now, moved.bay, moved});
                 }),
       referee_(options_, bays_, vehicles_),
-      stepping_(world_.add_plant(Callback<void(Time)>::to<&ChargingYard::step>(*this),
-                                 ChargingPlant::step_time)) {
+      stepping_(world_.add_plant(callback<&ChargingYard::step>(*this), ChargingPlant::step_time)) {
   for (unsigned bay = 1; bay <= bays_.size(); ++bay) {
     faults_.push_back(faults_of_bay(options_, bay));
   }

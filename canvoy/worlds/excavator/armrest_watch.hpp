@@ -60,8 +60,8 @@ class ArmrestWatch {
   std::array<std::uint8_t, 4> buffer_{};
   Time asked_at_{};
   bool is_released_ = false;
-  Timer ask_timer_{Callback<void(Time)>::to<&ArmrestWatch::ask>(*this)};
-  Timer lost_timer_{Callback<void(Time)>::to<&ArmrestWatch::lost>(*this)};
+  Timer ask_timer_{callback<&ArmrestWatch::ask>(*this)};
+  Timer lost_timer_{callback<&ArmrestWatch::lost>(*this)};
 };
 
 }  // namespace canvoy::excavator

@@ -52,13 +52,13 @@ ExcavatorDevices::ExcavatorDevices(World& world, ExcavatorBuses buses,
 
 void ExcavatorDevices::add_nodes() {
   using Self = ExcavatorDevices;
-  seat_site_.provide(Callback<cia852::OperatorEnvironment()>::to<&Self::elements>(*this));
-  seat_site_.provide(Callback<cia852::OperatorHardware()>::to<&Self::seat_hardware>(*this));
-  seat_site_.provide(Callback<cia852::OperatorSettings()>::to<&Self::seat_settings>(*this));
-  seat_site_.watch(Callback<void(cia852::OperatorUnit&, Node&)>::to<&Self::is_seat>(*this));
-  valves_site_.provide(Callback<cia401::IoHardware()>::to<&Self::valves_hardware>(*this));
-  valves_site_.provide(Callback<cia401::IoSettings()>::to<&Self::io_settings>(*this));
-  valves_site_.watch(Callback<void(cia401::IoUnit&, Node&)>::to<&Self::is_valves>(*this));
+  seat_site_.provide(callback<&Self::elements>(*this));
+  seat_site_.provide(callback<&Self::seat_hardware>(*this));
+  seat_site_.provide(callback<&Self::seat_settings>(*this));
+  seat_site_.watch(callback<&Self::is_seat>(*this));
+  valves_site_.provide(callback<&Self::valves_hardware>(*this));
+  valves_site_.provide(callback<&Self::io_settings>(*this));
+  valves_site_.watch(valves_unit_);
   using Make = MachineNode::Made (Self::*)(const Port&);
   constexpr Make makes[] = {&Self::make_host, &Self::make_seat, &Self::make_valves};
   for (std::size_t i = 0; i < device_places.size(); ++i) {
@@ -69,9 +69,9 @@ void ExcavatorDevices::add_nodes() {
 
 void ExcavatorDevices::add_armrest() {
   using Self = ExcavatorDevices;
-  armrest_site_.provide(Callback<cia401::IoHardware()>::to<&Self::armrest_hardware>(*this));
-  armrest_site_.provide(Callback<cia401::IoSettings()>::to<&Self::io_settings>(*this));
-  armrest_site_.watch(Callback<void(cia401::IoUnit&, Node&)>::to<&Self::is_armrest>(*this));
+  armrest_site_.provide(callback<&Self::armrest_hardware>(*this));
+  armrest_site_.provide(callback<&Self::io_settings>(*this));
+  armrest_site_.watch(armrest_unit_);
   add_node(armrest_place, [this](const Port& port) { return make_armrest(port); });
 }
 
@@ -113,7 +113,7 @@ cia852::OperatorHardware ExcavatorDevices::seat_hardware() {
   using Sense = cia852::TwoChannelAxes::Sense;
   cia852::OperatorHardware hardware = panel_.hardware();
   hardware.joystick_axis = Sense::to<&Self::first_axis>(*this);
-  hardware.joystick_buttons = Callback<std::uint8_t(unsigned)>::to<&Self::joystick_buttons>(*this);
+  hardware.joystick_buttons = callback<&Self::joystick_buttons>(*this);
   if (options_.sabotage.single_channel) return hardware;
   axes_.emplace(hardware.joystick_axis, Sense::to<&Self::second_axis>(*this),
                 cia852::TwoChannelSettings{});
@@ -149,8 +149,7 @@ cia852::OperatorSettings ExcavatorDevices::seat_settings() {
 }
 
 cia401::IoHardware ExcavatorDevices::armrest_hardware() {
-  return {.digital_inputs =
-              Callback<std::uint8_t(unsigned)>::to<&ExcavatorDevices::sense_contacts>(*this)};
+  return {.digital_inputs = callback<&ExcavatorDevices::sense_contacts>(*this)};
 }
 
 std::uint8_t ExcavatorDevices::sense_contacts(unsigned group) {

@@ -149,9 +149,7 @@ class ExcavatorDevices {
   void is_seat(cia852::OperatorUnit& unit, Node& node);
   cia401::IoHardware valves_hardware() { return valves_hardware_.hardware(); }
   cia401::IoSettings io_settings() { return {.sensing_period = Duration::zero()}; }
-  void is_valves(cia401::IoUnit& unit, Node&) { valves_unit_ = &unit; }
   cia401::IoHardware armrest_hardware();
-  void is_armrest(cia401::IoUnit& unit, Node&) { armrest_unit_ = &unit; }
   std::uint8_t sense_contacts(unsigned group);
 
   World& world_;

@@ -239,8 +239,8 @@ ExcavatorNetwork::ExcavatorNetwork(ExcavatorOptions options)
                       [this](Time now, const BusEvent& event) { heard(now, event); }),
       referees_(world_, options_, {machine_, panel_, trainer_panel_, valves_, driver_}, devices_,
                 bus_watch_),
-      stepping_(world_.add_plant(Callback<void(Time)>::to<&ExcavatorNetwork::step>(*this),
-                                 ExcavatorOperator::step_time)),
+      stepping_(
+          world_.add_plant(callback<&ExcavatorNetwork::step>(*this), ExcavatorOperator::step_time)),
       faults_(world_, buses_.machine, options_, devices_, panel_, referees_, events_) {
   driver_.on_change([this](Time now, Activity to) {
     note(now, ActivityChanged{to});

@@ -27,20 +27,19 @@ MachineControl::MachineControl(HostNode& device, const HostSettings& settings)
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
       seat_(device.node(), seat_id, seat_setup(settings),
-            Callback<void(Time)>::to<&MachineControl::start_seat>(*this)),
+            callback<&MachineControl::start_seat>(*this)),
       valves_(device.node(), valves_id, valves_setup(settings),
-              Callback<void(Time)>::to<&MachineControl::start_valves>(*this)),
-      armrest_(device.node(), Callback<void()>::to<&MachineControl::armrest_changed>(*this)),
-      look_timer_(Callback<void(Time)>::to<&MachineControl::look>(*this)),
-      horn_timer_(Callback<void(Time)>::to<&MachineControl::end_horn>(*this)),
-      gaps_(device.node(), Callback<void(NodeId)>::to<&MachineControl::ask_anew>(*this)) {
+              callback<&MachineControl::start_valves>(*this)),
+      armrest_(device.node(), callback<&MachineControl::armrest_changed>(*this)),
+      look_timer_(callback<&MachineControl::look>(*this)),
+      horn_timer_(callback<&MachineControl::end_horn>(*this)),
+      gaps_(device.node(), callback<&MachineControl::ask_anew>(*this)) {
   device.node().attach(service_);
-  device.heartbeat_consumer().on_change(
-      Callback<void(NodeId, RemoteState)>::to<&MachineControl::changed>(*this));
-  device.rpdos().received = Callback<void(std::uint16_t)>::to<&MachineControl::received>(*this);
-  device.rpdos().timed_out = Callback<void(std::uint16_t)>::to<&MachineControl::timed_out>(*this);
+  device.heartbeat_consumer().on_change(callback<&MachineControl::changed>(*this));
+  device.rpdos().received = callback<&MachineControl::received>(*this);
+  device.rpdos().timed_out = callback<&MachineControl::timed_out>(*this);
   for (Partner* partner : {&seat_, &valves_}) {
-    partner->setup.on_done(Callback<void(NodeId, bool)>::to<&MachineControl::set_up>(*this));
+    partner->setup.on_done(callback<&MachineControl::set_up>(*this));
   }
 }
 

@@ -15,7 +15,7 @@ class NodeSetupTest : public testing::Test {
  protected:
   NodeSetupTest() {
     wire.boot();
-    sut.on_done(Callback<void(NodeId, bool)>::to<&NodeSetupTest::told>(*this));
+    sut.on_done(callback<&NodeSetupTest::told>(*this));
     sut.begin();
   }
   void told(NodeId node, bool is_done) {

@@ -43,20 +43,16 @@ void SeatPanel::jam(Stick stick, bool is_jammed) {
 
 cia852::OperatorHardware SeatPanel::hardware() {
   using Byte = std::uint8_t;
-  return {
-      .joystick_axis =
-          Callback<std::int16_t(unsigned, unsigned)>::to<&SeatPanel::joystick_axis>(*this),
-      .joystick_buttons = Callback<Byte(unsigned)>::to<&SeatPanel::joystick_buttons>(*this),
-      .joystick_memory = Callback<Byte(unsigned)>::to<&SeatPanel::joystick_memory>(*this),
-      .foot_pedal = Callback<std::int16_t(unsigned)>::to<&SeatPanel::foot_pedal>(*this),
-      .foot_pedal_memory = Callback<bool(unsigned)>::to<&SeatPanel::foot_pedal_memory>(*this),
-      .encoder = Callback<std::uint32_t(unsigned)>::to<&SeatPanel::encoder>(*this),
-      .wheel = Callback<std::int16_t(unsigned)>::to<&SeatPanel::wheel_position>(*this),
-      .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&SeatPanel::push_buttons>(*this),
-      .show_indicators =
-          Callback<void(unsigned, unsigned, Byte)>::to<&SeatPanel::show_indicators>(*this),
-      .show_parameter =
-          Callback<void(unsigned, unsigned, std::int16_t)>::to<&SeatPanel::show_parameter>(*this)};
+  return {.joystick_axis = callback<&SeatPanel::joystick_axis>(*this),
+          .joystick_buttons = callback<&SeatPanel::joystick_buttons>(*this),
+          .joystick_memory = callback<&SeatPanel::joystick_memory>(*this),
+          .foot_pedal = callback<&SeatPanel::foot_pedal>(*this),
+          .foot_pedal_memory = callback<&SeatPanel::foot_pedal_memory>(*this),
+          .encoder = callback<&SeatPanel::encoder>(*this),
+          .wheel = callback<&SeatPanel::wheel_position>(*this),
+          .push_buttons = callback<&SeatPanel::push_buttons>(*this),
+          .show_indicators = callback<&SeatPanel::show_indicators>(*this),
+          .show_parameter = callback<&SeatPanel::show_parameter>(*this)};
 }
 
 std::int16_t SeatPanel::sensed(Stick stick) const {

@@ -16,11 +16,10 @@ constexpr unsigned unused_bits = 16;  ///< values of converters are left-aligned
 
 cia401::IoHardware ValvesHardware::hardware() {
   using Self = ValvesHardware;
-  return {
-      .digital_inputs = Callback<std::uint8_t(unsigned)>::to<&Self::sense_digital>(*this),
-      .drive_digital = Callback<void(unsigned, std::uint8_t)>::to<&Self::drive_digital>(*this),
-      .analogue_input = Callback<std::int32_t(unsigned)>::to<&Self::sense_analogue>(*this),
-      .drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&Self::drive_analogue>(*this)};
+  return {.digital_inputs = callback<&Self::sense_digital>(*this),
+          .drive_digital = callback<&Self::drive_digital>(*this),
+          .analogue_input = callback<&Self::sense_analogue>(*this),
+          .drive_analogue = callback<&Self::drive_analogue>(*this)};
 }
 
 std::int32_t ValvesHardware::sense_analogue(unsigned channel) {

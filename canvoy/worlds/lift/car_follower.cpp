@@ -83,7 +83,7 @@ double CarFollower::position_mm() const {
 }
 
 cia417::CarPositionHardware CarFollower::position_hardware() {
-  return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&CarFollower::sense>(*this)};
+  return {.sense = callback<&CarFollower::sense>(*this)};
 }
 
 /// Without acceleration: for a real drive that would be the jitter of frames.

@@ -20,7 +20,7 @@ class FollowedCar : public testing::Test {
   Time read_clock() { return now; }
   void hear(std::string_view frame) { car.hear(wire_frame(frame)); }
   Time now{};
-  CarFollower car{1, Callback<Time()>::to<&FollowedCar::read_clock>(*this)};
+  CarFollower car{1, callback<&FollowedCar::read_clock>(*this)};
 };
 
 TEST_F(FollowedCar, MovesAsFastAsTheDriveSays) {

@@ -28,16 +28,16 @@ CarPlant::CarPlant(const CarPlantDesign& design, Callback<Time()> clock, double 
     : design_(design), clock_(clock), state_{position_m, 0, 0} {}
 
 CarDriveHardware CarPlant::drive_hardware() {
-  return {.sense = Callback<DriveReadings()>::to<&CarPlant::sense_drive>(*this),
-          .power = Callback<void(bool)>::to<&CarPlant::set_power>(*this),
-          .release_brake = Callback<void(bool)>::to<&CarPlant::set_brake>(*this),
-          .follow = Callback<void(const MotionProfile&, Duration)>::to<&CarPlant::follow>(*this),
-          .arrest = Callback<void()>::to<&CarPlant::arrest>(*this),
-          .brake_holds = Callback<bool()>::to<&CarPlant::test_brake>(*this)};
+  return {.sense = callback<&CarPlant::sense_drive>(*this),
+          .power = callback<&CarPlant::set_power>(*this),
+          .release_brake = callback<&CarPlant::set_brake>(*this),
+          .follow = callback<&CarPlant::follow>(*this),
+          .arrest = callback<&CarPlant::arrest>(*this),
+          .brake_holds = callback<&CarPlant::test_brake>(*this)};
 }
 
 CarPositionHardware CarPlant::position_hardware() {
-  return {.sense = Callback<PositionReadings(unsigned)>::to<&CarPlant::sense_position>(*this)};
+  return {.sense = callback<&CarPlant::sense_position>(*this)};
 }
 
 // Events.

@@ -48,7 +48,7 @@ class CarPlantAlone : public testing::Test {
     return limits;
   }
   Time now{};
-  CarPlant plant{design, Callback<Time()>::to<&CarPlantAlone::read_clock>(*this)};
+  CarPlant plant{design, callback<&CarPlantAlone::read_clock>(*this)};
   cia417::CarDriveHardware drive = plant.drive_hardware();
   cia417::CarPositionHardware position = plant.position_hardware();
 };
@@ -248,7 +248,7 @@ class CarOnABus : public testing::Test {
   World world;
   BusIndex bus = world.add_bus({.bit_rate = 250'000});
   std::array<SlotIndex, 3> slots{slot(), slot(), slot()};
-  CarPlant plant{{}, Callback<Time()>::to<&World::now>(world)};
+  CarPlant plant{{}, callback<&World::now>(world)};
   cia417::CarDriveControllerDevice<> controller{world.port(slots[0]), 1};
   cia417::CarDriveDevice<> drive{world.port(slots[1]), 2, plant.drive_hardware()};
   cia417::CarPositionDevice<> position{world.port(slots[2]),

@@ -32,15 +32,15 @@ DoorPlant::DoorPlant(const DoorPlantOptions& options) : options_(options) {
 }
 
 cia417::DoorHardware DoorPlant::hardware() {
-  return {.sense = Callback<DoorReadings(Time)>::to<&DoorPlant::sense>(*this),
-          .drive = Callback<void(const DoorDrive&, Time)>::to<&DoorPlant::drive>(*this),
-          .lock = Callback<void(bool, Time)>::to<&DoorPlant::lock>(*this),
-          .use_battery = Callback<void(bool)>::to<&DoorPlant::use_battery>(*this),
-          .next_change = Callback<Time()>::to<&DoorPlant::next_change_for_device>(*this)};
+  return {.sense = callback<&DoorPlant::sense>(*this),
+          .drive = callback<&DoorPlant::drive>(*this),
+          .lock = callback<&DoorPlant::lock>(*this),
+          .use_battery = callback<&DoorPlant::use_battery>(*this),
+          .next_change = callback<&DoorPlant::next_change_for_device>(*this)};
 }
 
 cia417::LightBarrierHardware DoorPlant::light_barrier_hardware() {
-  return {.sense = Callback<Detection(unsigned)>::to<&DoorPlant::beam_of>(*this)};
+  return {.sense = callback<&DoorPlant::beam_of>(*this)};
 }
 
 Detection DoorPlant::beam() const {

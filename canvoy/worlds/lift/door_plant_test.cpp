@@ -20,7 +20,7 @@ class DoorPlantTest : public testing::Test {
   DoorPlantTest() {
     cable.connect(0, door.node());
     cable.connect(1, barrier.node());
-    plant.on_change(Callback<void()>::to<&DoorPlantTest::changed>(*this));
+    plant.on_change(callback<&DoorPlantTest::changed>(*this));
     cable.start_all();
     cable.send("000#01 00");
     cable.run_for(1s);

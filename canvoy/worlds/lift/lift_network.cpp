@@ -161,8 +161,7 @@ LiftNetwork::Parts::Parts(LiftNetworkDescription wanted)
       devices(world, description, of_devices()),
       referees(description, devices, events),
       people(world, description, devices, of_people()),
-      looking(world.add_plant(Callback<void(Time)>::to<&Parts::look>(*this),
-                              LiftReferees::look_period)),
+      looking(world.add_plant(callback<&Parts::look>(*this), LiftReferees::look_period)),
       faults(world, description, devices, people, referees.faults(), events) {
   devices.start();
 }

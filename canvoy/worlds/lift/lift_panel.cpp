@@ -204,11 +204,8 @@ struct LiftPanel::Device {
       : device(port, id),
         input_unit(device.node(), device.tpdos(), arrays.spans(),
                    {.inputs = panel.controls_.inputs}),
-        output_unit(
-            device.node(), states,
-            {.show = Callback<void(std::uint32_t, const cia417::OutputView&)>::to<&LiftPanel::show>(
-                 panel)},
-            {.outputs = panel.controls_.outputs}) {}
+        output_unit(device.node(), states, {.show = callback<&LiftPanel::show>(panel)},
+                    {.outputs = panel.controls_.outputs}) {}
 
   DeviceNode<layout> device;
   cia417::InputPanelArrays<layout, 8> arrays;

@@ -26,7 +26,7 @@ LiftTechnicians::LiftTechnicians(World& world, const LiftNetworkDescription& des
       devices_(&devices),
       crowd_(&crowd),
       told_(std::move(told)),
-      plant_(world.add_sleeping_plant(Callback<void(Time)>::to<&LiftTechnicians::step>(*this))) {
+      plant_(world.add_sleeping_plant(callback<&LiftTechnicians::step>(*this))) {
   if (!description.service.technician) return;
   for (LiftNumber lift = 1; lift <= devices.count(); ++lift) {
     technicians_.push_back(
@@ -124,7 +124,7 @@ LiftPeople::LiftPeople(World& world, const LiftNetworkDescription& description,
       devices_(&devices),
       hooks_(std::move(hooks)),
       crowd_(description.building, traffic_of(description), hands(), description.people),
-      plant_(world.add_sleeping_plant(Callback<void(Time)>::to<&LiftPeople::run>(*this))),
+      plant_(world.add_sleeping_plant(callback<&LiftPeople::run>(*this))),
       technicians_(world, description, devices, crowd_, hooks_.technician) {
   wake();
   add_brigades();

@@ -85,16 +85,16 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& descript
       plan(description, number),
       changed(std::move(hooks.changed)),
       told_of_trip(std::move(hooks.tripped)),
-      plant(world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this))),
-      car(description.building, number, Callback<Time()>::to<&Parts::now>(*this)),
-      doors(doors_of(plan.design(), Callback<void()>::to<&Parts::kick>(*this))),
+      plant(world.add_sleeping_plant(callback<&Parts::step>(*this))),
+      car(description.building, number, callback<&Parts::now>(*this)),
+      doors(doors_of(plan.design(), callback<&Parts::kick>(*this))),
       barrier(doors),
       load(plan.design().car, car.plant()),
       nodes(world, plan.bus()),
       panels(world, plan, nodes, {std::move(hooks.lamp), std::move(hooks.assigned)},
-             Callback<void()>::to<&Parts::kick>(*this)),
+             callback<&Parts::kick>(*this)),
       units(world, plan, {car, doors, barrier, load}, nodes) {
-  car.plant().on_change(Callback<void()>::to<&Parts::kick>(*this));
+  car.plant().on_change(callback<&Parts::kick>(*this));
   for (const NodeDescription* node : plan.nodes()) {
     if (!node->played) continue;
     is_panel(node->kind) ? panels.add(*node) : units.add(*node);

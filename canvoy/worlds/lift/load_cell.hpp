@@ -35,9 +35,7 @@ class LoadCell {
   /// True load, whatever the sensors measure.
   double load_kg() const { return load_kg_; }
   /// Hardware for the device; valid as long as this object.
-  cia417::LoadHardware hardware() {
-    return {.rope_load = Callback<std::optional<double>(unsigned)>::to<&LoadCell::rope>(*this)};
-  }
+  cia417::LoadHardware hardware() { return {.rope_load = callback<&LoadCell::rope>(*this)}; }
 
  private:
   std::optional<double> rope(unsigned number) {

@@ -13,8 +13,8 @@ ShaftDoor::ShaftDoor(const DoorDesign& design, bool is_there, Callback<void()> m
 
 cia417::DoorHardware ShaftDoor::hardware() {
   cia417::DoorHardware made = behind_;
-  made.drive = Callback<void(const cia417::DoorDrive&, Time)>::to<&ShaftDoor::drive>(*this);
-  made.lock = Callback<void(bool, Time)>::to<&ShaftDoor::lock>(*this);
+  made.drive = callback<&ShaftDoor::drive>(*this);
+  made.lock = callback<&ShaftDoor::lock>(*this);
   return made;
 }
 

@@ -52,7 +52,7 @@ ShaftCar::ShaftCar(const Building& building, LiftNumber lift, Callback<Time()> c
 
 void ShaftCar::follow_real_drive() {
   is_led_ = true;
-  plant_.lead_by(Callback<cia417::MotionState()>::to<&CarFollower::motion>(real_));
+  plant_.lead_by(callback<&CarFollower::motion>(real_));
 }
 
 SafetySight ShaftCar::sight(Time now, const ShaftDoors& doors) {

@@ -119,7 +119,7 @@ class ShaftLightBarrier {
 
   /// Hardware for its unit; valid as long as this object.
   cia417::LightBarrierHardware hardware() {
-    return {.sense = Callback<cia417::Detection(unsigned)>::to<&ShaftLightBarrier::see>(*this)};
+    return {.sense = callback<&ShaftLightBarrier::see>(*this)};
   }
   /// The unit reads its inputs again when `unit` tells it.
   void has_unit(ChangeSignal unit) { unit_ = std::move(unit); }

@@ -28,8 +28,7 @@ NavigationControl::NavigationControl(CarNetwork& network, const NavigationContro
       hardware_(hardware),
       terminal_(network, {.terminal = settings.terminal}),
       menu_(network, terminal_, title_of(Client::navigation)) {
-  terminal_.on_number_key(
-      Callback<void(NumberPadKey)>::to<&NavigationControl::number_pressed>(*this));
+  terminal_.on_number_key(callback<&NavigationControl::number_pressed>(*this));
   network.node().attach(service_);
   if (settings.is_greedy) network.node().attach(greed_);
 }
@@ -81,15 +80,12 @@ constexpr cia447::GeoPosition station = {48.137, 11.575};
 void NavigationDevice::add_node() {
   using namespace cia447;
   Environment& environment = bus_.add_site();
-  environment.provide(Callback<GpsHardware()>::to<&NavigationDevice::gps_hardware>(*this));
-  environment.provide(Callback<NavigationHardware()>::to<&NavigationDevice::hardware>(*this));
-  environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&NavigationDevice::is_unit>(*this));
-  environment.provide(
-      Callback<NavigationControlHardware()>::to<&NavigationDevice::control_hardware>(*this));
-  environment.provide(
-      Callback<NavigationControlSettings()>::to<&NavigationDevice::control_settings>(*this));
-  environment.watch(
-      Callback<void(NavigationControl&, Node&)>::to<&NavigationDevice::is_control>(*this));
+  environment.provide(callback<&NavigationDevice::gps_hardware>(*this));
+  environment.provide(callback<&NavigationDevice::hardware>(*this));
+  environment.watch(unit_);
+  environment.provide(callback<&NavigationDevice::control_hardware>(*this));
+  environment.provide(callback<&NavigationDevice::control_settings>(*this));
+  environment.watch(control_);
   bus_.add(car::units_of<GpsKind, NavigationKind, NavigationControlKind>, environment);
 }
 
@@ -99,7 +95,7 @@ void NavigationDevice::press_button() {
 }
 
 cia447::GpsHardware NavigationDevice::gps_hardware() {
-  return {.read = Callback<cia447::GpsReading()>::to<&NavigationDevice::gps_reading>(*this)};
+  return {.read = callback<&NavigationDevice::gps_reading>(*this)};
 }
 cia447::GpsReading NavigationDevice::gps_reading() {
   return {.fix = cia447::GpsFix::fix_3d,
@@ -122,16 +118,13 @@ double NavigationDevice::road(const cia447::GeoPosition& from, const cia447::Geo
 cia447::NavigationHardware NavigationDevice::hardware() {
   using cia447::GeoPosition;
   cia447::NavigationHardware hardware;
-  hardware.position =
-      Callback<std::optional<GeoPosition>()>::to<&NavigationDevice::position>(*this);
-  hardware.road =
-      Callback<double(const GeoPosition&, const GeoPosition&)>::to<&NavigationDevice::road>(*this);
+  hardware.position = callback<&NavigationDevice::position>(*this);
+  hardware.road = callback<&NavigationDevice::road>(*this);
   return hardware;
 }
 
 NavigationControlHardware NavigationDevice::control_hardware() {
-  return {.acted = acted_,
-          .guide = Callback<double(unsigned)>::to<&NavigationDevice::guide>(*this)};
+  return {.acted = acted_, .guide = callback<&NavigationDevice::guide>(*this)};
 }
 NavigationControlSettings NavigationDevice::control_settings() {
   return {.terminal = terminal_id, .is_greedy = sabotage_.greedy_navigation};

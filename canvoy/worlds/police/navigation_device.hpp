@@ -100,10 +100,8 @@ class NavigationDevice {
   cia447::GeoPosition here() const;
   std::optional<cia447::GeoPosition> position() { return here(); }
   double road(const cia447::GeoPosition& from, const cia447::GeoPosition& to);
-  void is_unit(cia447::NavigationUnit& unit, Node& /*node*/) { unit_ = &unit; }
   NavigationControlHardware control_hardware();
   NavigationControlSettings control_settings();
-  void is_control(NavigationControl& control, Node& /*node*/) { control_ = &control; }
   double guide(unsigned destination);
 
   car::CarBus& bus_;

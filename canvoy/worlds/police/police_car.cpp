@@ -10,8 +10,8 @@ namespace canvoy::police {
 void TerminalDevice::add_node() {
   using namespace cia447;
   Environment& environment = bus_.add_site();
-  environment.provide(Callback<TerminalHardware()>::to<&TerminalDevice::hardware>(*this));
-  environment.watch(Callback<void(TerminalUnit&, Node&)>::to<&TerminalDevice::is_unit>(*this));
+  environment.provide(callback<&TerminalDevice::hardware>(*this));
+  environment.watch(unit_);
   bus_.add(car::units_of<TerminalKind>, environment);
 }
 
@@ -41,7 +41,7 @@ std::optional<Client> TerminalDevice::client() const {
 
 cia447::TerminalHardware TerminalDevice::hardware() {
   cia447::TerminalHardware hardware;
-  hardware.show = Callback<void(const cia447::DisplayContent&)>::to<&TerminalDevice::show>(*this);
+  hardware.show = callback<&TerminalDevice::show>(*this);
   return hardware;
 }
 
@@ -69,10 +69,10 @@ PoliceCar::PoliceCar(car::CarBus& bus, const PoliceOptions& options, const Acted
 void PoliceCar::add_nodes() {
   using namespace cia447;
   Environment& car = bus_.add_site();
-  car.provide(Callback<CarHardware()>::to<&PoliceCar::hardware>(*this));
-  car.provide(Callback<CarMemory()>::to<&car::CarBus::memory>(bus_));
-  car.provide(Callback<CarMasterSettings()>::to<&car::CarBus::master_settings>(bus_));
-  car.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&PoliceCar::is_gateway>(*this));
+  car.provide(callback<&PoliceCar::hardware>(*this));
+  car.provide(callback<&car::CarBus::memory>(bus_));
+  car.provide(callback<&car::CarBus::master_settings>(bus_));
+  car.watch(gateway_);
   bus_.add(car::units_of<IvnGatewayKind>, car);
   terminal_.add_node();
   signals_.add_nodes();
@@ -133,8 +133,7 @@ cia447::CarHardware PoliceCar::hardware() {
   cia447::CarHardware car = cia447::parked_car();
   car.speed = cia447::Sensor::to<&PoliceCar::speed>(*this);
   car.distance = cia447::Sensor::to<&PoliceCar::distance>(*this);
-  car.switched.became =
-      Callback<void(const cia447::FieldPlace&, std::uint32_t)>::to<&PoliceCar::car_became>(*this);
+  car.switched.became = callback<&PoliceCar::car_became>(*this);
   return car;
 }
 

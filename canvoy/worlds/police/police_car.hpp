@@ -76,7 +76,6 @@ class TerminalDevice {
  private:
   cia447::TerminalHardware hardware();
   void show(const cia447::DisplayContent& content);
-  void is_unit(cia447::TerminalUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   car::CarBus& bus_;
   const Sabotage& sabotage_;
@@ -145,7 +144,6 @@ class PoliceCar {
   void report_car();
   cia447::CarHardware hardware();
   void car_became(const cia447::FieldPlace& status, std::uint32_t code);
-  void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   std::optional<double> speed() { return drive_.speed(); }
   std::optional<double> distance() { return drive_.metres(); }
 

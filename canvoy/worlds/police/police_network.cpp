@@ -110,11 +110,11 @@ PoliceNetwork::PoliceNetwork(PoliceOptions options)
                           },
                       .on_state = nullptr});
   bus_.listen();
-  car_.radio().on_status(Callback<void(int)>::to<&PoliceNetwork::status_heard>(*this));
-  car_.on_event(Callback<void(const cia447::CarEvent&)>::to<&PoliceNetwork::car_event>(*this));
+  car_.radio().on_status(callback<&PoliceNetwork::status_heard>(*this));
+  car_.on_event(callback<&PoliceNetwork::car_event>(*this));
   crew_.on_change([this](Time now, Activity, Activity to) { crew_changed(now, to); });
   if (options_.sabotage.sleepy_crew) crew_.fall_asleep();
-  world_.add_plant(Callback<void(Time)>::to<&PoliceNetwork::step>(*this), Crew::step_time);
+  world_.add_plant(callback<&PoliceNetwork::step>(*this), Crew::step_time);
   faults_.plan();
   for (const auto& node : bus_.nodes()) car_.power(*node, true);
 }

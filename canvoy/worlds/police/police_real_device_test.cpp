@@ -25,7 +25,7 @@ class PatrolWith {
                 .is_named_by_lss = id != cia447::gateway_node_id,
                 .vendor_id = vendor},
                device_names.size()) {
-    device.provide(Callback<cia447::SwitchedHardware()>::to<&PatrolWith::hardware>(*this));
+    device.provide(callback<&PatrolWith::hardware>(*this));
     device.join();
   }
 
@@ -43,11 +43,7 @@ class PatrolWith {
     options.real = {id};
     return options;
   }
-  cia447::SwitchedHardware hardware() {
-    return {.became =
-                Callback<void(const cia447::FieldPlace&, std::uint32_t)>::to<&PatrolWith::became>(
-                    *this)};
-  }
+  cia447::SwitchedHardware hardware() { return {.became = callback<&PatrolWith::became>(*this)}; }
   void became(const cia447::FieldPlace&, std::uint32_t code) {
     lamps_on += code == static_cast<std::uint32_t>(cia447::Signal::on) ? 1 : 0;
   }

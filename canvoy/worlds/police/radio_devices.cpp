@@ -38,18 +38,16 @@ RadioControl::RadioControl(CarNetwork& network, const RadioControlHardware& hard
       menu_(network, terminal_, title_of(Client::radio)),
       audio_(network, {.server = settings.audio_switch}),
       hands_free_(network, {.server = settings.hands_free}),
-      handset_source_(network,
-                      {.pdo_number = handset_pdo,
-                       .lost = Callback<void()>::to<&RadioControl::handset_lost>(*this),
-                       .read = Callback<void()>::to<&RadioControl::look_at_handset>(*this)}),
+      handset_source_(network, {.pdo_number = handset_pdo,
+                                .lost = callback<&RadioControl::handset_lost>(*this),
+                                .read = callback<&RadioControl::look_at_handset>(*this)}),
       key_source_(network, {.pdo_number = hands_free_pdo,
-                            .lost = Callback<void()>::to<&RadioControl::key_lost>(*this),
-                            .read = Callback<void()>::to<&RadioControl::look_at_key>(*this)}),
-      emergency_source_(network,
-                        {.pdo_number = emergency_pdo,
-                         .lost = Callback<void()>::to<&RadioControl::emergency_lost>(*this),
-                         .read = Callback<void()>::to<&RadioControl::look_at_emergency>(*this)}) {
-  terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&RadioControl::number_pressed>(*this));
+                            .lost = callback<&RadioControl::key_lost>(*this),
+                            .read = callback<&RadioControl::look_at_key>(*this)}),
+      emergency_source_(network, {.pdo_number = emergency_pdo,
+                                  .lost = callback<&RadioControl::emergency_lost>(*this),
+                                  .read = callback<&RadioControl::look_at_emergency>(*this)}) {
+  terminal_.on_number_key(callback<&RadioControl::number_pressed>(*this));
   network.node().attach(service_);
 }
 
@@ -152,26 +150,25 @@ constexpr Duration hands_free_key_time = 200ms;
 void RadioDevices::add_nodes() {
   using namespace cia447;
   Environment& radio = bus_.add_site();
-  radio.provide(Callback<SwitchedHardware()>::to<&RadioDevices::radio_hardware>(*this));
-  radio.watch(Callback<void(RadioUnit&, Node&)>::to<&RadioDevices::is_radio>(*this));
-  radio.provide(Callback<RadioControlHardware()>::to<&RadioDevices::control_hardware>(*this));
-  radio.provide(Callback<RadioControlSettings()>::to<&RadioDevices::control_settings>(*this));
-  radio.watch(Callback<void(RadioControl&, Node&)>::to<&RadioDevices::is_control>(*this));
+  radio.provide(callback<&RadioDevices::radio_hardware>(*this));
+  radio.watch(radio_);
+  radio.provide(callback<&RadioDevices::control_hardware>(*this));
+  radio.provide(callback<&RadioDevices::control_settings>(*this));
+  radio.watch(control_);
   bus_.add(car::units_of<RadioKind, RadioControlKind>, radio);
   Environment& audio = bus_.add_site();
-  audio.provide(Callback<AudioSwitchHardware()>::to<&RadioDevices::audio_hardware>(*this));
+  audio.provide(callback<&RadioDevices::audio_hardware>(*this));
   bus_.add(car::units_of<AudioSwitchKind>, audio);
   Environment& hands_free = bus_.add_site();
-  hands_free.provide(Callback<HandsFreeHardware()>::to<&RadioDevices::hands_free_hardware>(*this));
-  hands_free.watch(Callback<void(HandsFreeUnit&, Node&)>::to<&RadioDevices::is_hands_free>(*this));
+  hands_free.provide(callback<&RadioDevices::hands_free_hardware>(*this));
+  hands_free.watch(hands_free_);
   bus_.add(car::units_of<HandsFreeKind>, hands_free);
 }
 
 void RadioDevices::add_inputs() {
   using namespace cia447;
   Environment& environment = bus_.add_site();
-  environment.watch(
-      Callback<void(DiscreteInputsUnit&, Node&)>::to<&RadioDevices::is_inputs>(*this));
+  environment.watch(inputs_);
   bus_.add(car::units_of<DiscreteInputsKind>, environment);
 }
 
@@ -226,10 +223,7 @@ bool RadioDevices::carries_to_car() const {
 }
 
 cia447::SwitchedHardware RadioDevices::radio_hardware() {
-  return {
-      .became =
-          Callback<void(const cia447::FieldPlace&, std::uint32_t)>::to<&RadioDevices::radio_became>(
-              *this)};
+  return {.became = callback<&RadioDevices::radio_became>(*this)};
 }
 void RadioDevices::radio_became(const cia447::FieldPlace& status, std::uint32_t code) {
   const bool is_on = code == static_cast<std::uint32_t>(cia447::Signal::on);
@@ -239,9 +233,8 @@ void RadioDevices::radio_became(const cia447::FieldPlace& status, std::uint32_t 
 }
 
 RadioControlHardware RadioDevices::control_hardware() {
-  return {.radio = radio_,
-          .acted = acted_,
-          .send_status = Callback<void(int)>::to<&RadioDevices::send_status>(*this)};
+  return {
+      .radio = radio_, .acted = acted_, .send_status = callback<&RadioDevices::send_status>(*this)};
 }
 RadioControlSettings RadioDevices::control_settings() {
   return {.terminal = terminal_id,
@@ -257,15 +250,14 @@ void RadioDevices::send_status(int status) {
 }
 
 cia447::AudioSwitchHardware RadioDevices::audio_hardware() {
-  return {.connect =
-              Callback<void(unsigned, unsigned, std::uint8_t)>::to<&RadioDevices::connect>(*this)};
+  return {.connect = callback<&RadioDevices::connect>(*this)};
 }
 void RadioDevices::connect(unsigned input, unsigned output, std::uint8_t gain) {
   wires_.at(input).at(output) = gain != 0;
 }
 
 cia447::HandsFreeHardware RadioDevices::hands_free_hardware() {
-  return {.show_led = Callback<void(bool)>::to<&RadioDevices::show_led>(*this), .mute = {}};
+  return {.show_led = callback<&RadioDevices::show_led>(*this), .mute = {}};
 }
 
 }  // namespace canvoy::police

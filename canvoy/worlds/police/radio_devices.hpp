@@ -164,17 +164,13 @@ class RadioDevices {
  private:
   cia447::SwitchedHardware radio_hardware();
   void radio_became(const cia447::FieldPlace& status, std::uint32_t code);
-  void is_radio(cia447::RadioUnit& unit, Node& /*node*/) { radio_ = &unit; }
   RadioControlHardware control_hardware();
   RadioControlSettings control_settings();
-  void is_control(RadioControl& control, Node& /*node*/) { control_ = &control; }
   void send_status(int status);
   cia447::AudioSwitchHardware audio_hardware();
   void connect(unsigned input, unsigned output, std::uint8_t gain);
   cia447::HandsFreeHardware hands_free_hardware();
   void show_led(bool is_on) { led_is_lit_ = is_on; }
-  void is_hands_free(cia447::HandsFreeUnit& unit, Node& /*node*/) { hands_free_ = &unit; }
-  void is_inputs(cia447::DiscreteInputsUnit& unit, Node& /*node*/) { inputs_ = &unit; }
   void close_contact(bool is_closed);
 
   car::CarBus& bus_;

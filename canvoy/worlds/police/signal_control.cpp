@@ -49,10 +49,9 @@ SignalControl::SignalControl(CarNetwork& network, const SignalControlHardware& h
       roof_light_(network, {.server = settings.roof_light}),
       blue_light_(network, {.server = settings.blue_light}),
       gateway_(network, {.server = settings.gateway}),
-      siren_(Callback<void(Time)>::to<&SignalControl::sound_siren>(*this)) {
-  terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&SignalControl::number_pressed>(*this));
-  terminal_.on_function_key(
-      Callback<void(FunctionKey)>::to<&SignalControl::function_pressed>(*this));
+      siren_(callback<&SignalControl::sound_siren>(*this)) {
+  terminal_.on_number_key(callback<&SignalControl::number_pressed>(*this));
+  terminal_.on_function_key(callback<&SignalControl::function_pressed>(*this));
   network.node().attach(service_);
 }
 

@@ -8,17 +8,17 @@ namespace canvoy::police {
 void SignalDevices::add_nodes() {
   using namespace cia447;
   Environment& roof = bus_.add_site();
-  roof.provide(Callback<SwitchedHardware()>::to<&SignalDevices::roof_light_hardware>(*this));
+  roof.provide(callback<&SignalDevices::roof_light_hardware>(*this));
   bus_.add(car::units_of<RoofBarLightKind>, roof);
   Environment& sound = bus_.add_site();
-  sound.provide(Callback<RoofBarSoundHardware()>::to<&SignalDevices::sound_hardware>(*this));
-  sound.watch(Callback<void(RoofBarSoundUnit&, Node&)>::to<&SignalDevices::is_sound>(*this));
-  sound.provide(Callback<SignalControlHardware()>::to<&SignalDevices::control_hardware>(*this));
-  sound.provide(Callback<SignalControlSettings()>::to<&SignalDevices::control_settings>(*this));
+  sound.provide(callback<&SignalDevices::sound_hardware>(*this));
+  sound.watch(sound_unit_);
+  sound.provide(callback<&SignalDevices::control_hardware>(*this));
+  sound.provide(callback<&SignalDevices::control_settings>(*this));
   bus_.add(car::units_of<RoofBarSoundKind, SignalControlKind>, sound);
   Environment& blue = bus_.add_site();
-  blue.provide(Callback<SwitchedHardware()>::to<&SignalDevices::blue_light_hardware>(*this));
-  blue.watch(Callback<void(BlueLightUnit&, Node&)>::to<&SignalDevices::is_blue_light>(*this));
+  blue.provide(callback<&SignalDevices::blue_light_hardware>(*this));
+  blue.watch(blue_light_);
   bus_.add(car::units_of<BlueLightKind>, blue);
 }
 
@@ -51,8 +51,7 @@ void SignalDevices::step(Time now) {
 }
 
 cia447::SwitchedHardware SignalDevices::roof_light_hardware() {
-  return {.became = Callback<void(const cia447::FieldPlace&,
-                                  std::uint32_t)>::to<&SignalDevices::roof_light_became>(*this)};
+  return {.became = callback<&SignalDevices::roof_light_became>(*this)};
 }
 void SignalDevices::roof_light_became(const cia447::FieldPlace& status, std::uint32_t code) {
   const bool is_on = code == static_cast<std::uint32_t>(cia447::Signal::on);
@@ -69,13 +68,12 @@ void SignalDevices::roof_light_became(const cia447::FieldPlace& status, std::uin
 }
 
 cia447::SwitchedHardware SignalDevices::blue_light_hardware() {
-  return {.became = Callback<void(const cia447::FieldPlace&,
-                                  std::uint32_t)>::to<&SignalDevices::blue_light_became>(*this)};
+  return {.became = callback<&SignalDevices::blue_light_became>(*this)};
 }
 void SignalDevices::blue_light_became(const cia447::FieldPlace& status, std::uint32_t code) {
   if (sabotage_.cuts_flashers) return;
-  drive_blue(Callback<void(unsigned, bool)>::to<&SignalDevices::drive_flasher>(*this),
-             status.first_bit / 2U, code == static_cast<std::uint32_t>(cia447::Signal::on));
+  drive_blue(callback<&SignalDevices::drive_flasher>(*this), status.first_bit / 2U,
+             code == static_cast<std::uint32_t>(cia447::Signal::on));
 }
 
 void SignalDevices::drive_blue(Callback<void(unsigned, bool)> lamps, unsigned lamp, bool is_on) {
@@ -85,7 +83,7 @@ void SignalDevices::drive_blue(Callback<void(unsigned, bool)> lamps, unsigned la
 }
 
 cia447::RoofBarSoundHardware SignalDevices::sound_hardware() {
-  return {.play = Callback<void(const cia447::RoofBarSound&)>::to<&SignalDevices::play>(*this)};
+  return {.play = callback<&SignalDevices::play>(*this)};
 }
 void SignalDevices::play(const cia447::RoofBarSound& sound) {
   if (!sabotage_.cuts_siren) sound_ = sound;

@@ -116,12 +116,10 @@ class SignalDevices {
   void roof_light_became(const cia447::FieldPlace& status, std::uint32_t code);
   cia447::RoofBarSoundHardware sound_hardware();
   void play(const cia447::RoofBarSound& sound);
-  void is_sound(cia447::RoofBarSoundUnit& unit, Node& /*node*/) { sound_unit_ = &unit; }
   SignalControlHardware control_hardware();
   SignalControlSettings control_settings();
   cia447::SwitchedHardware blue_light_hardware();
   void blue_light_became(const cia447::FieldPlace& status, std::uint32_t code);
-  void is_blue_light(cia447::BlueLightUnit& unit, Node& /*node*/) { blue_light_ = &unit; }
 
   car::CarBus& bus_;
   const Sabotage& sabotage_;

@@ -5,15 +5,14 @@ namespace canvoy::police {
 void SupplyDevice::add_node() {
   using namespace cia447;
   Environment& environment = bus_.add_site();
-  environment.provide(Callback<PowerSupplyHardware()>::to<&SupplyDevice::hardware>(*this));
-  environment.provide(Callback<PowerSupplySettings()>::to<&SupplyDevice::settings>(*this));
-  environment.watch(Callback<void(PowerSupplyUnit&, Node&)>::to<&SupplyDevice::is_unit>(*this));
+  environment.provide(callback<&SupplyDevice::hardware>(*this));
+  environment.provide(callback<&SupplyDevice::settings>(*this));
+  environment.watch(unit_);
   bus_.add(car::units_of<PowerSupplyKind>, environment);
 }
 
 cia447::PowerSupplyHardware SupplyDevice::hardware() {
-  return {.switch_power =
-              Callback<void(cia447::Supply, bool)>::to<&SupplyDevice::switch_power>(*this)};
+  return {.switch_power = callback<&SupplyDevice::switch_power>(*this)};
 }
 
 void SupplyDevice::switch_power(cia447::Supply supply, bool is_on) {

@@ -37,7 +37,6 @@ class SupplyDevice {
  private:
   cia447::PowerSupplyHardware hardware();
   cia447::PowerSupplySettings settings() { return options_.supply; }
-  void is_unit(cia447::PowerSupplyUnit& unit, Node& /*node*/) { unit_ = &unit; }
   void switch_power(cia447::Supply supply, bool is_on);
 
   car::CarBus& bus_;

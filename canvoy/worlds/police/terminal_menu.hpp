@@ -20,9 +20,7 @@ class TerminalMenu {
   /// Both must outlive this object; `title` is that of display 1 while the menu is open.
   TerminalMenu(cia447::CarNetwork& network, cia447::TerminalClient& terminal,
                std::string_view title)
-      : network_(network),
-        terminal_(terminal),
-        timer_(Callback<void(Time)>::to<&TerminalMenu::expired>(*this)) {
+      : network_(network), terminal_(terminal), timer_(callback<&TerminalMenu::expired>(*this)) {
     terminal_.show(cia447::TerminalText::title, title);
   }
   TerminalMenu(const TerminalMenu&) = delete;

@@ -24,7 +24,7 @@ AlarmControl::AlarmControl(cia447::CarNetwork& network, const AlarmControlHardwa
       hardware_(hardware),
       settings_(settings),
       sign_(network, {.server = settings.sign}),
-      call_(Callback<void(Time)>::to<&AlarmControl::called>(*this)) {
+      call_(callback<&AlarmControl::called>(*this)) {
   alarm(false);
 }
 

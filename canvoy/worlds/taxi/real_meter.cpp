@@ -10,9 +10,8 @@ namespace canvoy::taxi {
 RealMeter::RealMeter(TaxiCar& car, TripBook& trips)
     : car_(car), trips_(trips), is_real_(!car.bus().is_played(taximeter_id)) {
   if (!is_real_) return;
-  car.attach({.device_is_made =
-                  Callback<void(cia447::CarNetwork&, Node&)>::to<&RealMeter::device_is_made>(*this),
-              .device_ends = Callback<void()>::to<&RealMeter::device_ends>(*this)});
+  car.attach({.device_is_made = callback<&RealMeter::device_is_made>(*this),
+              .device_ends = callback<&RealMeter::device_ends>(*this)});
 }
 
 void RealMeter::device_is_made(cia447::CarNetwork& network, Node& /*node*/) {

@@ -8,7 +8,7 @@ namespace canvoy::taxi {
 RouteDisplay::RouteDisplay(cia447::CarNetwork& network, const car::NoHardware& /*hardware*/,
                            const RouteDisplaySettings& settings)
     : navigation_(network, {.navigation = settings.navigation,
-                            .changed = Callback<void()>::to<&RouteDisplay::answered>(*this)}),
+                            .changed = callback<&RouteDisplay::answered>(*this)}),
       terminal_(network, {.terminal = settings.terminal}) {}
 
 /// Where nothing is known, the car may have its display back.
@@ -22,16 +22,13 @@ void RouteDisplay::answered() {
 }
 
 void RouteGuidance::provide_display(Environment& environment) {
-  environment.provide(
-      Callback<RouteDisplaySettings()>::to<&RouteGuidance::display_settings>(*this));
-  environment.watch(Callback<void(RouteDisplay&, Node&)>::to<&RouteGuidance::is_display>(*this));
+  environment.provide(callback<&RouteGuidance::display_settings>(*this));
+  environment.watch(display_);
 }
 
 void RouteGuidance::provide_navigation(Environment& environment) {
-  environment.provide(
-      Callback<cia447::NavigationHardware()>::to<&RouteGuidance::navigation_hardware>(*this));
-  environment.watch(
-      Callback<void(cia447::NavigationUnit&, Node&)>::to<&RouteGuidance::is_navigation>(*this));
+  environment.provide(callback<&RouteGuidance::navigation_hardware>(*this));
+  environment.watch(navigation_);
 }
 
 RouteDisplaySettings RouteGuidance::display_settings() {

@@ -86,9 +86,7 @@ class RouteGuidance {
 
  private:
   RouteDisplaySettings display_settings();
-  void is_display(RouteDisplay& display, Node& /*node*/) { display_ = &display; }
   cia447::NavigationHardware navigation_hardware();
-  void is_navigation(cia447::NavigationUnit& unit, Node& /*node*/) { navigation_ = &unit; }
 
   car::CarBus& bus_;
   std::span<const cia447::NamedPlace> places_;

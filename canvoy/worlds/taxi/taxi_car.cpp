@@ -29,10 +29,9 @@ TaxiCar::TaxiCar(car::CarBus& bus, const TaxiOptions& options, const Sabotage& s
 /// Surroundings that all devices of a car have.
 Environment& TaxiCar::add_site() {
   Environment& environment = bus_.add_site();
-  environment.provide(
-      Callback<cia447::CarNetworkSettings()>::to<&TaxiCar::network_settings>(*this));
-  environment.provide(Callback<cia447::CarMasterSettings()>::to<&TaxiCar::master_settings>(*this));
-  environment.provide(Callback<cia447::CarSleepSettings()>::to<&TaxiCar::sleep_settings>(*this));
+  environment.provide(callback<&TaxiCar::network_settings>(*this));
+  environment.provide(callback<&TaxiCar::master_settings>(*this));
+  environment.provide(callback<&TaxiCar::sleep_settings>(*this));
   return environment;
 }
 
@@ -55,10 +54,10 @@ void TaxiCar::add_nodes() {
 void TaxiCar::add_gateway() {
   Environment& car = add_site();
   gateway_site_ = &car;
-  car.provide(Callback<cia447::CarHardware()>::to<&TaxiCar::car_hardware>(*this));
-  car.provide(Callback<cia447::CarSettings()>::to<&TaxiCar::car_settings>(*this));
-  car.provide(Callback<cia447::CarMemory()>::to<&car::CarBus::memory>(bus_));
-  car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiCar::is_gateway>(*this));
+  car.provide(callback<&TaxiCar::car_hardware>(*this));
+  car.provide(callback<&TaxiCar::car_settings>(*this));
+  car.provide(callback<&car::CarBus::memory>(bus_));
+  car.watch(gateway_);
   bus_.add(car::units_of<cia447::IvnGatewayKind>, car);
 }
 
@@ -70,36 +69,27 @@ void TaxiCar::add_meter() {
 }
 
 void TaxiCar::provide_to_others(Environment& environment) {
-  environment.provide(Callback<cia447::PrinterHardware()>::to<&TaxiCar::printer_hardware>(*this));
-  environment.watch(Callback<void(cia447::PrinterUnit&, Node&)>::to<&TaxiCar::is_printer>(*this));
-  environment.provide(
-      Callback<cia447::DriverIdentificationHardware()>::to<&TaxiCar::reader_hardware>(*this));
-  environment.watch(
-      Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiCar::is_driver_reader>(
-          *this));
-  environment.provide(
-      Callback<cia447::RealTimeClockHardware()>::to<&TaxiCar::clock_hardware>(*this));
-  environment.provide(
-      Callback<cia447::RealTimeClockSettings()>::to<&TaxiCar::clock_settings>(*this));
-  environment.provide(Callback<cia447::TariffDisplayHardware()>::to<&RoofSign::hardware>(sign_));
-  environment.provide(
-      Callback<cia447::TerminalHardware()>::to<&TerminalScreens::hardware>(screens_));
-  environment.provide(
-      Callback<cia447::TerminalSettings()>::to<&TerminalScreens::settings>(screens_));
-  environment.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiCar::is_alarm>(*this));
-  environment.provide(Callback<cia447::TaxiAlarmHardware()>::to<&TaxiCar::alarm_hardware>(*this));
-  environment.provide(
-      Callback<AlarmControlHardware()>::to<&TaxiCar::alarm_control_hardware>(*this));
-  environment.provide(
-      Callback<AlarmControlSettings()>::to<&TaxiCar::alarm_control_settings>(*this));
-  environment.watch(Callback<void(AlarmControl&, Node&)>::to<&TaxiCar::is_alarm_control>(*this));
+  environment.provide(callback<&TaxiCar::printer_hardware>(*this));
+  environment.watch(callback<&TaxiCar::is_printer>(*this));
+  environment.provide(callback<&TaxiCar::reader_hardware>(*this));
+  environment.watch(driver_reader_);
+  environment.provide(callback<&TaxiCar::clock_hardware>(*this));
+  environment.provide(callback<&TaxiCar::clock_settings>(*this));
+  environment.provide(callback<&RoofSign::hardware>(sign_));
+  environment.provide(callback<&TerminalScreens::hardware>(screens_));
+  environment.provide(callback<&TerminalScreens::settings>(screens_));
+  environment.watch(alarm_);
+  environment.provide(callback<&TaxiCar::alarm_hardware>(*this));
+  environment.provide(callback<&TaxiCar::alarm_control_hardware>(*this));
+  environment.provide(callback<&TaxiCar::alarm_control_settings>(*this));
+  environment.watch(alarm_control_);
   guidance_.provide_display(environment);
 }
 
 void TaxiCar::add_navigation() {
   Environment& environment = add_site();
   navigation_site_ = &environment;
-  environment.provide(Callback<cia447::GpsHardware()>::to<&TaxiCar::gps_hardware>(*this));
+  environment.provide(callback<&TaxiCar::gps_hardware>(*this));
   guidance_.provide_navigation(environment);
   bus_.add(car::units_of<cia447::GpsKind, cia447::NavigationKind>, environment);
 }
@@ -124,7 +114,7 @@ void TaxiCar::power(car::CarNode& node, bool is_on) {
   node.power(is_on);
   if (id == driver_id) guidance_.type_again();
   if (cia447::CarMaster* master = node.device().master()) {
-    master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiCar::car_event>(*this));
+    master->on_event(callback<&TaxiCar::car_event>(*this));
   }
 }
 
@@ -192,8 +182,7 @@ cia447::LocalTime TaxiCar::local_time(Duration ahead) const {
 
 /// Its chip has a battery.
 cia447::RealTimeClockHardware TaxiCar::clock_hardware() {
-  return {.read = Callback<std::optional<cia447::ChipTime>()>::to<&TaxiCar::chip_time>(*this),
-          .write = {}};
+  return {.read = callback<&TaxiCar::chip_time>(*this), .write = {}};
 }
 std::optional<cia447::ChipTime> TaxiCar::chip_time() {
   return cia447::ChipTime{.since_1970 = std::chrono::seconds(clock_.utc(Time{})) +
@@ -201,12 +190,11 @@ std::optional<cia447::ChipTime> TaxiCar::chip_time() {
 }
 
 cia447::DriverIdentificationHardware TaxiCar::reader_hardware() {
-  return {.clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiCar::reader_clock>(*this),
-          .knows = {}};
+  return {.clock = callback<&TaxiCar::reader_clock>(*this), .knows = {}};
 }
 
 cia447::GpsHardware TaxiCar::gps_hardware() {
-  return {.read = Callback<cia447::GpsReading()>::to<&TaxiCar::gps_reading>(*this)};
+  return {.read = callback<&TaxiCar::gps_reading>(*this)};
 }
 
 cia447::GpsReading TaxiCar::gps_reading() {
@@ -248,11 +236,11 @@ bool TaxiCar::press_alarm() {
 }
 
 cia447::TaxiAlarmHardware TaxiCar::alarm_hardware() {
-  return {.alarm = Callback<void(bool, bool)>::to<&TaxiCar::alarm_changed>(*this)};
+  return {.alarm = callback<&TaxiCar::alarm_changed>(*this)};
 }
 
 AlarmControlHardware TaxiCar::alarm_control_hardware() {
-  return {.has_called = Callback<void()>::to<&TaxiCar::alarm_has_called>(*this)};
+  return {.has_called = callback<&TaxiCar::alarm_has_called>(*this)};
 }
 
 void TaxiCar::alarm_has_called() {

@@ -49,9 +49,7 @@ class RoofSign {
   RoofSign& operator=(const RoofSign&) = delete;
 
   /// The result must not outlive this object.
-  cia447::TariffDisplayHardware hardware() {
-    return {.drive = Callback<void(unsigned, cia447::Lamp)>::to<&RoofSign::drive>(*this)};
-  }
+  cia447::TariffDisplayHardware hardware() { return {.drive = callback<&RoofSign::drive>(*this)}; }
   /// Switches all off: call it when the display has no power.
   void darken() {
     lamps_.fill(cia447::Lamp::off);
@@ -94,9 +92,9 @@ class PaperText {
   /// The result must not outlive this object.
   cia447::PrinterPaper paper() {
     cia447::PrinterPaper made;
-    made.put = Callback<void(const cia447::PrintedCharacter&)>::to<&PaperText::put>(*this);
-    made.feed = Callback<void(unsigned)>::to<&PaperText::feed>(*this);
-    made.cut = Callback<void()>::to<&PaperText::cut>(*this);
+    made.put = callback<&PaperText::put>(*this);
+    made.feed = callback<&PaperText::feed>(*this);
+    made.cut = callback<&PaperText::cut>(*this);
     return made;
   }
   /// Forwards all further output to this paper. The object that it refers to must outlive this one.
@@ -229,13 +227,9 @@ class TaxiCar {
   cia447::CarHardware car_hardware();
   std::optional<double> speed();
   std::optional<double> distance();
-  void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   cia447::PrinterHardware printer_hardware() { return {.paper = paper_.paper()}; }
   void is_printer(cia447::PrinterUnit& unit, Node& node);
   cia447::DriverIdentificationHardware reader_hardware();
-  void is_driver_reader(cia447::DriverIdentificationUnit& unit, Node& /*node*/) {
-    driver_reader_ = &unit;
-  }
   cia447::RealTimeClockHardware clock_hardware();
   std::optional<cia447::ChipTime> chip_time();
   cia447::RealTimeClockSettings clock_settings() { return {.zone = options_.zone}; }
@@ -249,8 +243,6 @@ class TaxiCar {
   AlarmControlSettings alarm_control_settings() { return {.sign = sign_id}; }
   void alarm_changed(bool silent, bool full) { alarm_control_->alarm(silent || full); }
   void alarm_has_called();
-  void is_alarm(cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm_ = &unit; }
-  void is_alarm_control(AlarmControl& control, Node& /*node*/) { alarm_control_ = &control; }
 
   car::CarBus& bus_;
   const TaxiOptions& options_;

@@ -33,16 +33,15 @@ bool is_told(const cia447::AuditEntry& entry) {
 }  // namespace
 
 void TaxiMeter::provide(Environment& environment) {
-  environment.provide(Callback<cia447::TaximeterHardware()>::to<&TaxiMeter::hardware>(*this));
-  environment.provide(Callback<cia447::TaximeterSettings()>::to<&TaxiMeter::settings>(*this));
-  environment.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiMeter::is_unit>(*this));
-  environment.provide(
-      Callback<FareDisplaySettings()>::to<&TaxiMeter::fare_display_settings>(*this));
-  environment.watch(Callback<void(FareDisplay&, Node&)>::to<&TaxiMeter::is_fare_display>(*this));
+  environment.provide(callback<&TaxiMeter::hardware>(*this));
+  environment.provide(callback<&TaxiMeter::settings>(*this));
+  environment.watch(unit_);
+  environment.provide(callback<&TaxiMeter::fare_display_settings>(*this));
+  environment.watch(fare_display_);
 }
 
 void TaxiMeter::provide_outputs(Environment& environment) {
-  environment.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiMeter::is_network>(*this));
+  environment.watch(callback<&TaxiMeter::is_network>(*this));
 }
 
 /// Its supply falls slowly enough for it to save its values; then its display is dark.
@@ -57,9 +56,9 @@ void TaxiMeter::power_changes(bool is_on) {
 
 cia447::TaximeterHardware TaxiMeter::hardware() {
   return {.clock = clock_,
-          .seal_is_open = Callback<bool()>::to<&TaxiMeter::seal_is_open>(*this),
-          .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&TaxiMeter::show>(*this),
-          .recorded = Callback<void(const cia447::AuditEntry&)>::to<&TaxiMeter::note>(*this),
+          .seal_is_open = callback<&TaxiMeter::seal_is_open>(*this),
+          .show = callback<&TaxiMeter::show>(*this),
+          .recorded = callback<&TaxiMeter::note>(*this),
           .turned_off = {},
           .flash = &flash_.flash()};
 }

@@ -156,8 +156,6 @@ class TaxiMeter {
   cia447::TaximeterHardware hardware();
   cia447::TaximeterSettings settings();
   FareDisplaySettings fare_display_settings();
-  void is_unit(cia447::TaximeterUnit& unit, Node& /*node*/) { unit_ = &unit; }
-  void is_fare_display(FareDisplay& display, Node& /*node*/) { fare_display_ = &display; }
   void is_network(cia447::CarNetwork& network, Node& node);
   void show(const cia447::TaximeterDisplay& display);
   bool seal_is_open() { return is_seal_open_; }

@@ -112,8 +112,7 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
       watch_(options_.meter.longest_power_cut),
       faults_(car_, options_.faults, trips_, watch_, excuses_, tampering_, events_),
       referee_(car_, options_, shift_, trips_, watch_, excuses_, tampering_) {
-  car_.meter().on_recorded(
-      Callback<void(const cia447::AuditEntry&)>::to<&TaxiNetwork::meter_recorded>(*this));
+  car_.meter().on_recorded(callback<&TaxiNetwork::meter_recorded>(*this));
   hear_real_devices();
   bus_.bus().observe({.context = this,
                       .on_frame =
@@ -124,7 +123,7 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
                       .on_state = nullptr});
   bus_.listen();
   shift_.on_change([this](Time now, Activity from, Activity to) { shift_changed(now, from, to); });
-  world_.add_plant(Callback<void(Time)>::to<&TaxiNetwork::step>(*this), Shift::step_time);
+  world_.add_plant(callback<&TaxiNetwork::step>(*this), Shift::step_time);
   faults_.plan();
   world_.at(Time{} + std::min(options_.alarm, options_.length / 3), [this](Time now) {
     if (car_.press_alarm()) events_.note(now, AlarmPressed{});

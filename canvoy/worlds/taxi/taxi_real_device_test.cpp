@@ -67,10 +67,10 @@ class RealMeter {
   explicit RealMeter(const Fraud& fraud) : RealMeter(24'000, {}, fraud) {}
   RealMeter(std::uint32_t k, std::initializer_list<NodeId> others, const Fraud& fraud)
       : k_(k), fraud_(fraud), network_(with_real(taximeter_id, others)) {
-    stranger_.provide(Callback<cia447::TaximeterHardware()>::to<&RealMeter::hardware>(*this));
-    stranger_.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&RealMeter::has_network>(*this));
-    stranger_.provide(Callback<cia447::TaximeterSettings()>::to<&RealMeter::settings>(*this));
-    stranger_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&RealMeter::made>(*this));
+    stranger_.provide(callback<&RealMeter::hardware>(*this));
+    stranger_.watch(car_network_);
+    stranger_.provide(callback<&RealMeter::settings>(*this));
+    stranger_.watch(meter_);
     stranger_.join();
   }
   /// The outputs have a timer of its node.
@@ -90,7 +90,6 @@ class RealMeter {
 
  private:
   cia447::TaximeterSettings settings() { return {.k = k_, .clock_node = driver_id}; }
-  void made(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
   void press() {
     switch (network_.snapshot().driver) {
       case Activity::signing_on:
@@ -121,11 +120,8 @@ class RealMeter {
     outputs_->print("Summe " + std::to_string(cents / 100) + "," + std::to_string(cents / 10 % 10) +
                     std::to_string(cents % 10) + " EUR\n");
   }
-  cia447::TaximeterHardware hardware() {
-    return {.show = Callback<void(const cia447::TaximeterDisplay&)>::to<&RealMeter::show>(*this)};
-  }
+  cia447::TaximeterHardware hardware() { return {.show = callback<&RealMeter::show>(*this)}; }
   void show(const cia447::TaximeterDisplay& display) { trip_ = display.trip; }
-  void has_network(cia447::CarNetwork& network, Node& /*node*/) { car_network_ = &network; }
 
   std::uint32_t k_;
   Fraud fraud_;
@@ -228,11 +224,10 @@ TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
 /// A taxi with a real alarm, ten minutes after the start.
 struct RealAlarm {
   RealAlarm() {
-    stranger.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&RealAlarm::made>(*this));
+    stranger.watch(unit);
     stranger.join();
     network.run_until(Time(10min));
   }
-  void made(cia447::TaxiAlarmUnit& of, Node& /*node*/) { unit = &of; }
 
   TaxiNetwork network{with_real(alarm_id)};
   cia447::TaxiAlarmUnit* unit = nullptr;
@@ -319,7 +314,7 @@ TEST(RealTaxiDevice, AGatewayOfSomebodyElseIsTheCarThatDrives) {
   TaxiNetwork network(with_real(cia447::gateway_node_id));
   RealCar car(network);
   Stranger stranger(network, car::units_of<cia447::IvnGatewayKind>, cia447::gateway_node_id);
-  stranger.provide(Callback<cia447::CarHardware()>::to<&RealCar::hardware>(car));
+  stranger.provide(callback<&RealCar::hardware>(car));
   stranger.join();
   network.run_until(Time(25min));
   // From its first valid count on, which takes some time.
@@ -341,7 +336,7 @@ TEST(RealTaxiDevice, WithARealGatewayAnotherDeviceAsksTheMeter) {
   TaxiNetwork& network = meter.network();
   RealCar car(network);
   Stranger gateway(network, car::units_of<cia447::IvnGatewayKind>, cia447::gateway_node_id);
-  gateway.provide(Callback<cia447::CarHardware()>::to<&RealCar::hardware>(car));
+  gateway.provide(callback<&RealCar::hardware>(car));
   gateway.join();
   meter.run_until(Time(shift_over));
   ASSERT_GE(network.trips().size(), 2u);

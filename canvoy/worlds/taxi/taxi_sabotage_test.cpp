@@ -62,10 +62,9 @@ class StrangersMeter {
                  .serial_number = 1000U + taximeter_id,
                  .is_named_by_lss = true},
                 device_names.size() + 1) {
-    device_.provide(Callback<cia447::TaximeterHardware()>::to<&StrangersMeter::hardware>(*this));
-    device_.provide(Callback<cia447::TaximeterSettings()>::to<&StrangersMeter::settings>(*this));
-    device_.watch(
-        Callback<void(cia447::TaximeterUnit&, Node&)>::to<&StrangersMeter::is_made>(*this));
+    device_.provide(callback<&StrangersMeter::hardware>(*this));
+    device_.provide(callback<&StrangersMeter::settings>(*this));
+    device_.watch(callback<&StrangersMeter::is_made>(*this));
     device_.join();
   }
   StrangersMeter(const StrangersMeter&) = delete;
@@ -95,10 +94,7 @@ class StrangersMeter {
   }
 
  private:
-  cia447::TaximeterHardware hardware() {
-    return {.show =
-                Callback<void(const cia447::TaximeterDisplay&)>::to<&StrangersMeter::show>(*this)};
-  }
+  cia447::TaximeterHardware hardware() { return {.show = callback<&StrangersMeter::show>(*this)}; }
   cia447::TaximeterSettings settings() { return {.k = 24'000, .clock_node = driver_id}; }
   void is_made(cia447::TaximeterUnit& unit, Node& node) {
     meter_ = &unit;

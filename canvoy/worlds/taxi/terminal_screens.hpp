@@ -28,10 +28,7 @@ class TerminalScreens {
   TerminalScreens& operator=(const TerminalScreens&) = delete;
 
   /// The result must not outlive this object.
-  cia447::TerminalHardware hardware() {
-    return {.show =
-                Callback<void(const cia447::DisplayContent&)>::to<&TerminalScreens::show>(*this)};
-  }
+  cia447::TerminalHardware hardware() { return {.show = callback<&TerminalScreens::show>(*this)}; }
   /// Settings with three lines for position, destination and distance.
   cia447::TerminalSettings settings() {
     return {.display_2 = {.lines = 3, .columns = 16, .characters = 48}};

@@ -29,10 +29,9 @@ class AcousticAnnouncerUnit {
   AcousticAnnouncerUnit(VirtualDevice& device, const AcousticAnnouncerHardware& hardware,
                         const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware), state_(device) {
-    device.on_reset = Callback<void(ResetScope)>::to<&AcousticAnnouncerUnit::reset>(*this);
+    device.on_reset = callback<&AcousticAnnouncerUnit::reset>(*this);
     device.react(*this, reactions());
-    device.on_event =
-        Callback<void(std::uint8_t, std::uint16_t)>::to<&AcousticAnnouncerUnit::take_event>(*this);
+    device.on_event = callback<&AcousticAnnouncerUnit::take_event>(*this);
   }
   AcousticAnnouncerUnit(const AcousticAnnouncerUnit&) = delete;
   AcousticAnnouncerUnit& operator=(const AcousticAnnouncerUnit&) = delete;

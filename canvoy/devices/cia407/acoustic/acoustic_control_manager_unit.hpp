@@ -45,10 +45,8 @@ class AcousticControlManagerUnit {
   AcousticControlManagerUnit(VirtualDevice& device, const AcousticControlManagerHardware& hardware,
                              const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
-    device.on_reset = Callback<void(ResetScope)>::to<&AcousticControlManagerUnit::reset>(*this);
-    device.on_event =
-        Callback<void(std::uint8_t, std::uint16_t)>::to<&AcousticControlManagerUnit::take_event>(
-            *this);
+    device.on_reset = callback<&AcousticControlManagerUnit::reset>(*this);
+    device.on_event = callback<&AcousticControlManagerUnit::take_event>(*this);
   }
   AcousticControlManagerUnit(const AcousticControlManagerUnit&) = delete;
   AcousticControlManagerUnit& operator=(const AcousticControlManagerUnit&) = delete;

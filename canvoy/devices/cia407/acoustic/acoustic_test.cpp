@@ -16,14 +16,12 @@ class Announcer : public testing::Test {
     return stop != 13;
   }
   AcousticAnnouncerHardware hardware() {
-    return {.announce =
-                Callback<bool(std::uint32_t, std::string_view)>::to<&Announcer::announce>(*this)};
+    return {.announce = callback<&Announcer::announce>(*this)};
   }
   std::vector<std::pair<std::uint32_t, std::string>> said;
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.provide(Callback<AcousticAnnouncerHardware()>::to<&Announcer::hardware>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(callback<&Announcer::hardware>(*this));
+                 }};
 };
 
 TEST_F(Announcer, AnotherStopIsItsCue) {
@@ -72,15 +70,13 @@ class Acoustic : public testing::Test {
   }
   std::uint16_t state() { return 0xBEEF; }
   AcousticControlManagerHardware hardware() {
-    return {
-        .switch_paths = Callback<AudioPaths(const AudioPaths&)>::to<&Acoustic::switch_paths>(*this),
-        .state = Callback<std::uint16_t()>::to<&Acoustic::state>(*this)};
+    return {.switch_paths = callback<&Acoustic::switch_paths>(*this),
+            .state = callback<&Acoustic::state>(*this)};
   }
   AudioPaths paths;
   bool radio_is_broken = false;
   BusBench bench{units, [this](Environment& environment) {
-                   environment.provide(
-                       Callback<AcousticControlManagerHardware()>::to<&Acoustic::hardware>(*this));
+                   environment.provide(callback<&Acoustic::hardware>(*this));
                  }};
 };
 

@@ -39,7 +39,7 @@ class CodeOnlyUnit {
   CodeOnlyUnit(VirtualDevice& device, const CodeOnlyHardware<code>& hardware,
                const NoSettings& /*settings*/)
       : device_(device), errors_(device, errors(), hardware.has_error) {
-    device.on_reset = Callback<void(ResetScope)>::to<&CodeOnlyUnit::reset>(*this);
+    device.on_reset = callback<&CodeOnlyUnit::reset>(*this);
   }
   CodeOnlyUnit(const CodeOnlyUnit&) = delete;
   CodeOnlyUnit& operator=(const CodeOnlyUnit&) = delete;

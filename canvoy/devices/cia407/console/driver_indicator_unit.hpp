@@ -38,7 +38,7 @@ class DriverIndicatorUnit {
   DriverIndicatorUnit(VirtualDevice& device, const DriverIndicatorHardware& hardware,
                       const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
-    device.on_reset = Callback<void(ResetScope)>::to<&DriverIndicatorUnit::reset>(*this);
+    device.on_reset = callback<&DriverIndicatorUnit::reset>(*this);
     device.react(*this, reactions());
   }
   DriverIndicatorUnit(const DriverIndicatorUnit&) = delete;

@@ -23,10 +23,8 @@ class KeyboardUnit {
   /// Everything to which `hardware` refers must outlive this.
   KeyboardUnit(VirtualDevice& device, const KeyboardHardware& hardware,
                const NoSettings& /*settings*/)
-      : device_(device),
-        hardware_(hardware),
-        timer_(Callback<void(Time)>::to<&KeyboardUnit::look>(*this)) {
-    device.on_reset = Callback<void(ResetScope)>::to<&KeyboardUnit::reset>(*this);
+      : device_(device), hardware_(hardware), timer_(callback<&KeyboardUnit::look>(*this)) {
+    device.on_reset = callback<&KeyboardUnit::reset>(*this);
   }
   KeyboardUnit(const KeyboardUnit&) = delete;
   KeyboardUnit& operator=(const KeyboardUnit&) = delete;

@@ -33,12 +33,10 @@ CountingManagerUnit::CountingManagerUnit(VirtualDevice& device, const NoHardware
       hook_{.first = passenger_counting_manager_data_object.index,
             .last = passenger_counting_manager_data_object.index,
             .domain = &domain_} {
-  device.on_reset = Callback<void(ResetScope)>::to<&CountingManagerUnit::reset>(*this);
+  device.on_reset = callback<&CountingManagerUnit::reset>(*this);
   device.react(*this, hook_calls);
-  domain_.open_read =
-      Callback<Result<std::uint32_t>(const Entry&)>::to<&CountingManagerUnit::open_read>(*this);
-  domain_.read = Callback<Result<std::size_t>(
-      const Entry&, std::uint32_t, std::span<std::uint8_t>)>::to<&CountingManagerUnit::read>(*this);
+  domain_.open_read = callback<&CountingManagerUnit::open_read>(*this);
+  domain_.read = callback<&CountingManagerUnit::read>(*this);
   device.node().dictionary().attach(hook_);
 }
 

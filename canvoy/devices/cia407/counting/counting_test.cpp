@@ -11,18 +11,16 @@ namespace {
 class Counter : public testing::Test {
  protected:
   static constexpr const BusUnit* units[] = {&bus_unit<PassengerCounterKind>};
-  void made(PassengerCounterUnit& of, Node& /*node*/) { counter = &of; }
   /// Of doors 1 to 4: door 2 is bits 5 and 4, open and valid.
   void door(const std::string& bits) { bench.ask("2F 88 64 02 " + bits + " 00 00 00"); }
   std::string told() { return bench.ask("40 00 67 00 00 00 00 00").substr(12, 5); }
 
   PassengerCounterUnit* counter = nullptr;
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.provide(Callback<PassengerCounterSettings()>(
-            [](void*) { return PassengerCounterSettings{.door = 2}; }, nullptr));
-        environment.watch(Callback<void(PassengerCounterUnit&, Node&)>::to<&Counter::made>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(Callback<PassengerCounterSettings()>(
+                       [](void*) { return PassengerCounterSettings{.door = 2}; }, nullptr));
+                   environment.watch(counter);
+                 }};
 };
 
 TEST_F(Counter, CountsWhileItsDoorIsOpenAndTellsWhenItCloses) {
@@ -97,7 +95,6 @@ TEST_F(Counter, MoreThan200AreAnEventAsTheyArise) {
 class Manager : public testing::Test {
  protected:
   static constexpr const BusUnit* units[] = {&bus_unit<CountingManagerKind>};
-  void made(CountingManagerUnit& of, Node& /*node*/) { manager = &of; }
   void count(const std::string& out, const std::string& in) {
     EXPECT_EQ(bench.ask("2B 00 67 00 " + out + " " + in + " 00 00"), "60 00 67 00 00 00 00 00");
   }
@@ -106,12 +103,11 @@ class Manager : public testing::Test {
   }
 
   CountingManagerUnit* manager = nullptr;
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.provide(Callback<CountingManagerSettings()>(
-            [](void*) { return CountingManagerSettings{.capacity = 50}; }, nullptr));
-        environment.watch(Callback<void(CountingManagerUnit&, Node&)>::to<&Manager::made>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(Callback<CountingManagerSettings()>(
+                       [](void*) { return CountingManagerSettings{.capacity = 50}; }, nullptr));
+                   environment.watch(manager);
+                 }};
 };
 
 TEST_F(Manager, AddsUpWhatEachDoorTells) {
@@ -214,20 +210,13 @@ class CounterAndManager : public testing::Test {
  protected:
   static constexpr const BusUnit* units[] = {&bus_unit<PassengerCounterKind>,
                                              &bus_unit<CountingManagerKind>};
-  void counter_made(PassengerCounterUnit& of, Node& /*node*/) { counter = &of; }
-  void manager_made(CountingManagerUnit& of, Node& /*node*/) { manager = &of; }
 
   PassengerCounterUnit* counter = nullptr;
   CountingManagerUnit* manager = nullptr;
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.watch(
-            Callback<void(PassengerCounterUnit&, Node&)>::to<&CounterAndManager::counter_made>(
-                *this));
-        environment.watch(
-            Callback<void(CountingManagerUnit&, Node&)>::to<&CounterAndManager::manager_made>(
-                *this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.watch(counter);
+                   environment.watch(manager);
+                 }};
 };
 
 /// 6.22: the values of all doors, those of other devices too.

@@ -19,7 +19,7 @@ constexpr AccessHandlers PassengerCounterUnit::hook_calls[] = {
 PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
                                            const PassengerCounterSettings& settings)
     : device_(device), settings_(settings) {
-  device.on_reset = Callback<void(ResetScope)>::to<&PassengerCounterUnit::reset>(*this);
+  device.on_reset = callback<&PassengerCounterUnit::reset>(*this);
   device.react(*this, hook_calls);
   device.node().attach(service_);
 }

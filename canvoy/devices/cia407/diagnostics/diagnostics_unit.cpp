@@ -73,21 +73,15 @@ DiagnosticsUnit::DiagnosticsUnit(VirtualDevice& device, const NoHardware& /*hard
                                  const DiagnosticsSettings& settings)
     : device_(device),
       settings_(settings),
-      domain_{
-          .open_read =
-              Callback<Result<std::uint32_t>(const Entry&)>::to<&DiagnosticsUnit::open_read>(*this),
-          .read =
-              Callback<Result<std::size_t>(const Entry&, std::uint32_t, std::span<std::uint8_t>)>::
-                  to<&DiagnosticsUnit::read>(*this),
-          .open_write =
-              Callback<AbortCode(const Entry&, std::uint32_t)>::to<&DiagnosticsUnit::open_write>(
-                  *this),
-          .write = Callback<AbortCode(
-              const Entry&, std::span<const std::uint8_t>)>::to<&DiagnosticsUnit::write>(*this),
-          .close_write =
-              Callback<AbortCode(const Entry&, bool)>::to<&DiagnosticsUnit::close_write>(*this)},
+      domain_{.open_read = callback<&DiagnosticsUnit::open_read>(*this),
+              .read = Callback<Result<std::size_t>(
+                  const Entry&, std::uint32_t,
+                  std::span<std::uint8_t>)>::to<&DiagnosticsUnit::read>(*this),
+              .open_write = callback<&DiagnosticsUnit::open_write>(*this),
+              .write = callback<&DiagnosticsUnit::write>(*this),
+              .close_write = callback<&DiagnosticsUnit::close_write>(*this)},
       hook_{.first = file_index, .last = file_index, .domain = &domain_} {
-  device.on_reset = Callback<void(ResetScope)>::to<&DiagnosticsUnit::reset>(*this);
+  device.on_reset = callback<&DiagnosticsUnit::reset>(*this);
   device.react(*this, hook_calls);
   device.node().dictionary().attach(hook_);
 }

@@ -12,7 +12,6 @@ namespace {
 class Diagnostics : public testing::Test {
  protected:
   static constexpr const BusUnit* units[] = {&bus_unit<DiagnosticsKind>};
-  void made(DiagnosticsUnit& of, Node& /*node*/) { unit = &of; }
   std::string short_error(const std::string& sub) {
     return bench.ask("40 40 67 " + sub + " 00 00 00 00").substr(12);
   }
@@ -21,10 +20,7 @@ class Diagnostics : public testing::Test {
   }
 
   DiagnosticsUnit* unit = nullptr;
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.watch(Callback<void(DiagnosticsUnit&, Node&)>::to<&Diagnostics::made>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) { environment.watch(unit); }};
 };
 
 TEST_F(Diagnostics, ShortErrorsMoveDownTheList) {

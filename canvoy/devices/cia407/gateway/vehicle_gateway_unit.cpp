@@ -31,8 +31,8 @@ VehicleGatewayUnit::VehicleGatewayUnit(VirtualDevice& device,
     : device_(device),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&VehicleGatewayUnit::look>(*this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&VehicleGatewayUnit::reset>(*this);
+      timer_(callback<&VehicleGatewayUnit::look>(*this)) {
+  device.on_reset = callback<&VehicleGatewayUnit::reset>(*this);
 }
 
 template <class Handle>

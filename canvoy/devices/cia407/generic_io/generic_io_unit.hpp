@@ -36,8 +36,8 @@ class GenericIoUnit {
       : device_(device),
         hardware_(hardware),
         errors_(device, errors, hardware.has_error),
-        timer_(Callback<void(Time)>::to<&GenericIoUnit::look>(*this)) {
-    device.on_reset = Callback<void(ResetScope)>::to<&GenericIoUnit::reset>(*this);
+        timer_(callback<&GenericIoUnit::look>(*this)) {
+    device.on_reset = callback<&GenericIoUnit::reset>(*this);
     device.react(*this, reactions());
   }
   GenericIoUnit(const GenericIoUnit&) = delete;

@@ -51,7 +51,7 @@ void BusDevice::take_files(std::span<const Part> parts) {
     const bool is_file = entry && entry->row->type == DataType::domain;
     if (!is_file || dictionary.domain(*entry) != nullptr) continue;
     TakenFile& taken = taken_files_.emplace_back(virtual_devices_.front(), part.index());
-    taken.file.shelf().on_stored = Callback<void(const Entry&)>::to<&BusDevice::file_taken>(*this);
+    taken.file.shelf().on_stored = callback<&BusDevice::file_taken>(*this);
   }
 }
 

@@ -238,37 +238,28 @@ struct Voice {
     said.push_back(stop);
     return stop != 13;
   }
-  AcousticAnnouncerHardware hardware() {
-    return {.announce =
-                Callback<bool(std::uint32_t, std::string_view)>::to<&Voice::announce>(*this)};
-  }
+  AcousticAnnouncerHardware hardware() { return {.announce = callback<&Voice::announce>(*this)}; }
 };
 
 class ComputerAndAnnouncer : public testing::Test {
  protected:
   using Event = std::pair<unsigned, std::uint32_t>;
 
-  void made(MainOnBoardComputerUnit& unit, Node& /*node*/) { computer = &unit; }
   void heard(unsigned number, std::uint32_t event) { events.emplace_back(number, event); }
   MainOnBoardComputerHardware hardware() {
-    return {.on_event =
-                Callback<void(unsigned, std::uint32_t)>::to<&ComputerAndAnnouncer::heard>(*this)};
+    return {.on_event = callback<&ComputerAndAnnouncer::heard>(*this)};
   }
 
   Voice voice;
   std::vector<Event> events;
   MainOnBoardComputerUnit* computer = nullptr;
-  BusBench bench{
-      computer_and_announcer,
-      [this](Environment& environment) {
-        environment.provide(Callback<AcousticAnnouncerHardware()>::to<&Voice::hardware>(voice));
-        environment.provide(
-            Callback<MainOnBoardComputerHardware()>::to<&ComputerAndAnnouncer::hardware>(*this));
-        environment.watch(
-            Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&ComputerAndAnnouncer::made>(
-                *this));
-      },
-      1};
+  BusBench bench{computer_and_announcer,
+                 [this](Environment& environment) {
+                   environment.provide(callback<&Voice::hardware>(voice));
+                   environment.provide(callback<&ComputerAndAnnouncer::hardware>(*this));
+                   environment.watch(computer);
+                 },
+                 1};
 };
 
 TEST_F(ComputerAndAnnouncer, VirtualDevicesOfOneDeviceHearEachOther) {

@@ -20,7 +20,7 @@ class ErrorWatch {
       : device_(device),
         codes_(codes),
         has_error_(has_error),
-        timer_(Callback<void(Time)>::to<&ErrorWatch::look>(*this)) {}
+        timer_(callback<&ErrorWatch::look>(*this)) {}
   ErrorWatch(const ErrorWatch&) = delete;
   ErrorWatch& operator=(const ErrorWatch&) = delete;
 

@@ -16,17 +16,11 @@ constexpr unsigned arrival = 0;
 
 FileShelf::FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory)
     : memory_(memory),
-      domain_{
-          .open_read =
-              Callback<Result<std::uint32_t>(const Entry&)>::to<&FileShelf::open_read>(*this),
-          .read = Callback<Result<std::size_t>(
-              const Entry&, std::uint32_t, std::span<std::uint8_t>)>::to<&FileShelf::read>(*this),
-          .open_write =
-              Callback<AbortCode(const Entry&, std::uint32_t)>::to<&FileShelf::open_write>(*this),
-          .write = Callback<AbortCode(const Entry&,
-                                      std::span<const std::uint8_t>)>::to<&FileShelf::write>(*this),
-          .close_write =
-              Callback<AbortCode(const Entry&, bool)>::to<&FileShelf::close_write>(*this)},
+      domain_{.open_read = callback<&FileShelf::open_read>(*this),
+              .read = callback<&FileShelf::read>(*this),
+              .open_write = callback<&FileShelf::open_write>(*this),
+              .write = callback<&FileShelf::write>(*this),
+              .close_write = callback<&FileShelf::close_write>(*this)},
       hook_{.first = index, .last = index, .domain = &domain_},
       next_(std::exchange(device.shelves(), this)),
       shared_(shared(next_)) {

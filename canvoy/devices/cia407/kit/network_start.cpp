@@ -5,10 +5,8 @@ namespace canvoy::cia407 {
 constexpr ServiceHandlers NetworkStart::service_calls = {.reset = method<&NetworkStart::reset>};
 
 NetworkStart::NetworkStart(Node& node)
-    : node_(node),
-      master_(node, remotes_),
-      timer_(Callback<void(Time)>::to<&NetworkStart::look>(*this)) {
-  master_.on_change(Callback<void(NodeId, RemoteState)>::to<&NetworkStart::changed>(*this));
+    : node_(node), master_(node, remotes_), timer_(callback<&NetworkStart::look>(*this)) {
+  master_.on_change(callback<&NetworkStart::changed>(*this));
   node.attach(service_);
 }
 

@@ -22,7 +22,7 @@ class Segment {
  public:
   Segment(std::span<const BusUnit* const> units, NodeId id, const BusSegment& segment)
       : segment_(segment) {
-    environment_.provide(Callback<BusSegment()>::to<&Segment::segment>(*this));
+    environment_.provide(callback<&Segment::segment>(*this));
     device_.emplace(units, cable.port(0), id, environment_);
     cable.connect(0, device_->node());
     cable.start_all();

@@ -31,8 +31,7 @@ constexpr ServiceHandlers VirtualDevices::service_calls = {.reset = method<&Virt
                                                            .hooks = hook_calls};
 
 VirtualDevices::VirtualDevices(Node& node) : node_(node) {
-  next_restored_ = node.on_defaults_restored(
-      Callback<void(ResetScope)>::to<&VirtualDevices::defaults_restored>(*this));
+  next_restored_ = node.on_defaults_restored(callback<&VirtualDevices::defaults_restored>(*this));
   node.attach(service_);
 }
 

@@ -39,7 +39,7 @@ class IdentificationUnit {
   IdentificationUnit(VirtualDevice& device, const IdentificationHardware& hardware,
                      const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
-    device.on_reset = Callback<void(ResetScope)>::to<&IdentificationUnit::reset>(*this);
+    device.on_reset = callback<&IdentificationUnit::reset>(*this);
   }
   IdentificationUnit(const IdentificationUnit&) = delete;
   IdentificationUnit& operator=(const IdentificationUnit&) = delete;

@@ -31,8 +31,8 @@ MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
       hardware_(hardware),
       settings_(settings),
       texts_(device.node()),
-      timer_(Callback<void(Time)>::to<&MainOnBoardComputerUnit::look>(*this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&MainOnBoardComputerUnit::reset>(*this);
+      timer_(callback<&MainOnBoardComputerUnit::look>(*this)) {
+  device.on_reset = callback<&MainOnBoardComputerUnit::reset>(*this);
   device.react(*this, hook_calls);
 }
 

@@ -25,9 +25,9 @@ class Computer : public testing::Test {
   std::optional<double> warmth() { return cabin_celsius; }
   void heard(unsigned number, std::uint32_t event) { events.emplace_back(number, event); }
   MainOnBoardComputerHardware hardware() {
-    return {.clock = Callback<std::optional<CivilTime>()>::to<&Computer::clock>(*this),
-            .inside_temperature = Callback<std::optional<double>()>::to<&Computer::warmth>(*this),
-            .on_event = Callback<void(unsigned, std::uint32_t)>::to<&Computer::heard>(*this)};
+    return {.clock = callback<&Computer::clock>(*this),
+            .inside_temperature = callback<&Computer::warmth>(*this),
+            .on_event = callback<&Computer::heard>(*this)};
   }
   MainOnBoardComputerSettings settings() {
     return {.vehicle_id = 4711,
@@ -41,7 +41,6 @@ class Computer : public testing::Test {
             .garage_id_text = "Garage",
             .radio_id_text = "Radio"};
   }
-  void made(MainOnBoardComputerUnit& of, Node& /*node*/) { computer = &of; }
   void run(Duration duration) { bench.cable.run_for(duration); }
   void settle() { bench.cable.run_for(0s); }
 
@@ -54,12 +53,9 @@ class Computer : public testing::Test {
   MainOnBoardComputerUnit* computer = nullptr;
   BusBench bench{units,
                  [this](Environment& environment) {
-                   environment.provide(
-                       Callback<MainOnBoardComputerHardware()>::to<&Computer::hardware>(*this));
-                   environment.provide(
-                       Callback<MainOnBoardComputerSettings()>::to<&Computer::settings>(*this));
-                   environment.watch(
-                       Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&Computer::made>(*this));
+                   environment.provide(callback<&Computer::hardware>(*this));
+                   environment.provide(callback<&Computer::settings>(*this));
+                   environment.watch(computer);
                  },
                  1};
 };
@@ -299,7 +295,7 @@ TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
   static constexpr const BusUnit* display_units[] = {&bus_unit<NextStop>};
   ShownTexts shown;
   Environment environment;
-  environment.provide(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
+  environment.provide(callback<&ShownTexts::hardware>(shown));
   BusDevice display(display_units, bench.cable.port(1), 5, environment);
   bench.cable.connect(1, display.node());
   display.node().start(bench.cable.now);

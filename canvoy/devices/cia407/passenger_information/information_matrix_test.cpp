@@ -120,10 +120,9 @@ class InformationMatrix : public testing::TestWithParam<std::size_t> {
   bool is_refused() { return bench.cable.last(0x085) == "085#04 FF 01 01 00 00 00 00"; }
 
   ShownTexts shown;
-  BusBench bench{
-      units_of(GetParam()), [this](Environment& environment) {
-        environment.provide(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
-      }};
+  BusBench bench{units_of(GetParam()), [this](Environment& environment) {
+                   environment.provide(callback<&ShownTexts::hardware>(shown));
+                 }};
 };
 
 TEST_P(InformationMatrix, HasTheObjectsOfItsColumnAndNoOthers) {

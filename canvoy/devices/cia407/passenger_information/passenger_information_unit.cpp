@@ -98,10 +98,9 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
       state_(device),
       special_characters_(device, special_character_files_object.index),
       pictures_(device, referenced_files_for_xml_files_object.index) {
-  device.on_reset = Callback<void(ResetScope)>::to<&PassengerInformationUnit::reset>(*this);
+  device.on_reset = callback<&PassengerInformationUnit::reset>(*this);
   device.react(*this, hook_calls);
-  device.on_event =
-      Callback<void(std::uint8_t, std::uint16_t)>::to<&PassengerInformationUnit::take_event>(*this);
+  device.on_event = callback<&PassengerInformationUnit::take_event>(*this);
   device.node().attach(service_);
 }
 

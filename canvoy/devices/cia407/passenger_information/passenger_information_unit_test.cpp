@@ -31,9 +31,9 @@ struct Panel {
   void test(bool on) { is_testing = on; }
   void stop(bool on) { is_stop_requested = on; }
   DisplayHardware hardware() {
-    return {.show = Callback<void(std::span<const ShownElement>)>::to<&Panel::show>(*this),
-            .test = Callback<void(bool)>::to<&Panel::test>(*this),
-            .show_stop_request = Callback<void(bool)>::to<&Panel::stop>(*this)};
+    return {.show = callback<&Panel::show>(*this),
+            .test = callback<&Panel::test>(*this),
+            .show_stop_request = callback<&Panel::stop>(*this)};
   }
 };
 
@@ -51,7 +51,7 @@ class Display : public testing::Test {
 
   Panel panel;
   BusBench bench{units, [this](Environment& environment) {
-                   environment.provide(Callback<DisplayHardware()>::to<&Panel::hardware>(panel));
+                   environment.provide(callback<&Panel::hardware>(panel));
                  }};
 };
 using TextDisplay = Display<InformationClass::next_stop, InformationSubclass::text>;

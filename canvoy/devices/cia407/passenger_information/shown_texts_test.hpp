@@ -21,9 +21,7 @@ struct ShownTexts {
       texts.emplace_back(element.octets.begin(), element.octets.end());
     }
   }
-  DisplayHardware hardware() {
-    return {.show = Callback<void(std::span<const ShownElement>)>::to<&ShownTexts::show>(*this)};
-  }
+  DisplayHardware hardware() { return {.show = callback<&ShownTexts::show>(*this)}; }
 };
 
 }  // namespace canvoy::cia407

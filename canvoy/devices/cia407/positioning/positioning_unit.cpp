@@ -22,8 +22,8 @@ PositioningUnit::PositioningUnit(VirtualDevice& device, const PositioningHardwar
     : device_(device),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&PositioningUnit::look>(*this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&PositioningUnit::reset>(*this);
+      timer_(callback<&PositioningUnit::look>(*this)) {
+  device.on_reset = callback<&PositioningUnit::reset>(*this);
 }
 
 void PositioningUnit::look(Time now) {

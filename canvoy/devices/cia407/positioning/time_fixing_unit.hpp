@@ -34,8 +34,8 @@ class TimeFixingUnit {
       : device_(device),
         hardware_(hardware),
         settings_(settings),
-        timer_(Callback<void(Time)>::to<&TimeFixingUnit::look>(*this)) {
-    device.on_reset = Callback<void(ResetScope)>::to<&TimeFixingUnit::reset>(*this);
+        timer_(callback<&TimeFixingUnit::look>(*this)) {
+    device.on_reset = callback<&TimeFixingUnit::reset>(*this);
   }
   TimeFixingUnit(const TimeFixingUnit&) = delete;
   TimeFixingUnit& operator=(const TimeFixingUnit&) = delete;

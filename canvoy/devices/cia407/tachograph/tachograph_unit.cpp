@@ -39,11 +39,10 @@ TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& 
       hardware_(hardware),
       settings_(settings),
       trip_begin_(settings.trip_begin_metres),
-      timer_(Callback<void(Time)>::to<&TachographUnit::look>(*this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&TachographUnit::reset>(*this);
+      timer_(callback<&TachographUnit::look>(*this)) {
+  device.on_reset = callback<&TachographUnit::reset>(*this);
   device.react(*this, hook_calls);
-  device.on_event =
-      Callback<void(std::uint8_t, std::uint16_t)>::to<&TachographUnit::take_event>(*this);
+  device.on_event = callback<&TachographUnit::take_event>(*this);
 }
 
 /// Data that a tachograph has recorded outlive an NMT reset.

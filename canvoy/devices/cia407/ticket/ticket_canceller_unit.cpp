@@ -18,7 +18,7 @@ TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
                            return static_cast<const TicketCancellerUnit*>(self)->cancelled_;
                          },
                          this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&TicketCancellerUnit::reset>(*this);
+  device.on_reset = callback<&TicketCancellerUnit::reset>(*this);
   device.react(*this, hook_calls);
   device.on_event = Callback<void(std::uint8_t, std::uint16_t)>(
       [](void* state, std::uint8_t flags, std::uint16_t) {

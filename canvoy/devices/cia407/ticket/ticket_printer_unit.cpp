@@ -9,10 +9,8 @@ constexpr AccessHandlers TicketPrinterUnit::hook_calls[] = {
 
 TicketPrinterUnit::TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
                                      const NoSettings& /*settings*/)
-    : device_(device),
-      hardware_(hardware),
-      timer_(Callback<void(Time)>::to<&TicketPrinterUnit::look>(*this)) {
-  device.on_reset = Callback<void(ResetScope)>::to<&TicketPrinterUnit::reset>(*this);
+    : device_(device), hardware_(hardware), timer_(callback<&TicketPrinterUnit::look>(*this)) {
+  device.on_reset = callback<&TicketPrinterUnit::reset>(*this);
   device.react(*this, hook_calls);
 }
 

@@ -22,12 +22,12 @@ struct Machine {
   }
   bool paper() { return has_paper; }
   TicketCancellerHardware canceller() {
-    return {.stamp = Callback<void(const TicketData&)>::to<&Machine::stamp>(*this),
-            .show_ready = Callback<void(bool)>::to<&Machine::show>(*this)};
+    return {.stamp = callback<&Machine::stamp>(*this),
+            .show_ready = callback<&Machine::show>(*this)};
   }
   TicketPrinterHardware printer() {
-    return {.print = Callback<bool(const TicketData&)>::to<&Machine::print>(*this),
-            .has_paper = Callback<bool()>::to<&Machine::paper>(*this)};
+    return {.print = callback<&Machine::print>(*this),
+            .has_paper = callback<&Machine::paper>(*this)};
   }
 };
 
@@ -41,12 +41,10 @@ class Canceller : public testing::Test {
   static constexpr const BusUnit* units[] = {&bus_unit<TicketCancellerKind>};
   Machine machine;
   TicketCancellerUnit* unit = nullptr;
-  void made(TicketCancellerUnit& of, Node& /*node*/) { unit = &of; }
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.provide(Callback<TicketCancellerHardware()>::to<&Machine::canceller>(machine));
-        environment.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&Canceller::made>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(callback<&Machine::canceller>(machine));
+                   environment.watch(unit);
+                 }};
 };
 
 TEST_F(Canceller, StampsWhereAndWhen) {
@@ -154,13 +152,10 @@ class TicketPrinter : public testing::Test {
   static constexpr const BusUnit* units[] = {&bus_unit<TicketPrinterKind>};
   Machine machine;
   TicketPrinterUnit* unit = nullptr;
-  void made(TicketPrinterUnit& of, Node& /*node*/) { unit = &of; }
-  BusBench bench{
-      units, [this](Environment& environment) {
-        environment.provide(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
-        environment.watch(
-            Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketPrinter::made>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(callback<&Machine::printer>(machine));
+                   environment.watch(unit);
+                 }};
 };
 
 TEST_F(TicketPrinter, PrintsWhereAndWhen) {

@@ -21,10 +21,10 @@ CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> 
       served_(settings.served, settings.locked_by_key),
       destinations_(destinations),
       mapping_(node, tpdos, virtual_output_mapping_object.index,
-               {.waits = Callback<bool()>::to<&CallController::waits>(*this),
-                .next = Callback<std::uint64_t()>::to<&CallController::next>(*this)}),
+               {.waits = callback<&CallController::waits>(*this),
+                .next = callback<&CallController::next>(*this)}),
       indications_(settings.lift),
-      low_timer_(Callback<void(Time)>::to<&CallController::promote>(*this)) {
+      low_timer_(callback<&CallController::promote>(*this)) {
   node.attach(service_);
 }
 

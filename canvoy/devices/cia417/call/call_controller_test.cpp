@@ -393,7 +393,7 @@ TEST_F(CallControllerTest, AGroupIsAskedFirst) {
       return takes;
     }
   } group;
-  calls.on_hall_call(Callback<bool(const VirtualInput&)>::to<&Group::ask>(group));
+  calls.on_hall_call(callback<&Group::ask>(group));
   EXPECT_EQ(answer_to("02 01 0F 03 10 01"), Texts{}) << "the group acknowledges";
   EXPECT_EQ(group.last.lifts, 0x0F);
   EXPECT_TRUE(calls.calls().empty());

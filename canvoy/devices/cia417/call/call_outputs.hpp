@@ -26,9 +26,7 @@ class CallOutputs {
   CallOutputs& operator=(const CallOutputs&) = delete;
 
   /// For CallController::on_record(). Linear in the number of outputs.
-  Callback<void(const VirtualOutput&)> told() {
-    return Callback<void(const VirtualOutput&)>::to<&CallOutputs::store>(*this);
-  }
+  Callback<void(const VirtualOutput&)> told() { return callback<&CallOutputs::store>(*this); }
 
  private:
   void reset(ResetScope scope);

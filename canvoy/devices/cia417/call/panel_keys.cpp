@@ -19,10 +19,7 @@ constexpr ServiceHandlers PanelKeys::service_calls = {
     .reset = method<&PanelKeys::reset>, .state_entered = method<&PanelKeys::state_entered>};
 
 PanelKeys::PanelKeys(Node& node, SdoClient& client, CallController& calls)
-    : node_(node),
-      client_(client),
-      calls_(calls),
-      timer_(Callback<void(Time)>::to<&PanelKeys::go_on>(*this)) {
+    : node_(node), client_(client), calls_(calls), timer_(callback<&PanelKeys::go_on>(*this)) {
   node.attach(service_);
 }
 

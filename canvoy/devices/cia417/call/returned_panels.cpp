@@ -13,7 +13,7 @@ ReturnedPanels::ReturnedPanels(Node& node, SdoClient& client, CallController& ca
     : node_(node),
       calls_(calls),
       keys_(node, client, calls),
-      timer_(Callback<void(Time)>::to<&ReturnedPanels::expired>(*this)) {
+      timer_(callback<&ReturnedPanels::expired>(*this)) {
   node.attach(service_);
 }
 

@@ -15,7 +15,7 @@ LiftController::LiftController(Node& node, CallController& calls, const LiftPart
       calls_(calls),
       parts_(parts),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&LiftController::expired>(*this)),
+      timer_(callback<&LiftController::expired>(*this)),
       faults_(node) {
   node.attach(link_);
   settings_.floors =
@@ -25,7 +25,7 @@ LiftController::LiftController(Node& node, CallController& calls, const LiftPart
       std::clamp<std::uint8_t>(settings.fire_floor, 1, std::max<std::uint8_t>(count, 1));
   settings_.parking_floor = std::min(settings.parking_floor, count);
   calls_.serve_up_to(count);
-  calls_.on_change(Callback<void()>::to<&LiftController::update>(*this));
+  calls_.on_change(callback<&LiftController::update>(*this));
 }
 
 void LiftController::reset(ResetScope) {

@@ -33,10 +33,9 @@ class LiftBench {
                      DoorMask doors_of_car = 0b11)
       : device(cable.port(0), 1,
                {.lift = number, .served = {served, served & FloorSet::between(5, 5)}}),
-        lift(
-            device.node(), device.calls(),
-            {car.interface(), doors.interface(), Callback<LiftLoad()>::to<&LiftBench::load>(*this)},
-            complete(settings, doors_of_car)) {
+        lift(device.node(), device.calls(),
+             {car.interface(), doors.interface(), callback<&LiftBench::load>(*this)},
+             complete(settings, doors_of_car)) {
     cable.connect(0, device.node());
   }
   void start() {

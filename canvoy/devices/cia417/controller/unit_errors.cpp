@@ -31,18 +31,18 @@ UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& cl
     : node_(node),
       client_(client),
       units_(units),
-      timer_(Callback<void(Time)>::to<&UnitErrors::ask_next>(*this)),
-      again_timer_(Callback<void(Time)>::to<&UnitErrors::look_again>(*this)) {
+      timer_(callback<&UnitErrors::ask_next>(*this)),
+      again_timer_(callback<&UnitErrors::look_again>(*this)) {
   node.attach(service_);
-  emergencies.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&UnitErrors::heard>(*this));
+  emergencies.on_emergency(callback<&UnitErrors::heard>(*this));
 }
 
 LiftParts UnitErrors::guard(const LiftParts& parts) {
   behind_ = parts;
   LiftParts guarded = parts;
-  guarded.motion.status = Callback<MotionStatus()>::to<&UnitErrors::motion>(*this);
-  guarded.doors.status = Callback<DoorsStatus()>::to<&UnitErrors::doors>(*this);
-  if (parts.load) guarded.load = Callback<LiftLoad()>::to<&UnitErrors::load>(*this);
+  guarded.motion.status = callback<&UnitErrors::motion>(*this);
+  guarded.doors.status = callback<&UnitErrors::doors>(*this);
+  if (parts.load) guarded.load = callback<&UnitErrors::load>(*this);
   return guarded;
 }
 

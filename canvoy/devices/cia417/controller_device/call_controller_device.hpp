@@ -70,10 +70,8 @@ class CallControllerDevice
         calls_(node(), device_.tpdos(), destinations_, settings),
         panels_(node(), calls_, outputs),
         returned_(node(), client_, calls_) {
-    device_.heartbeat_consumer().on_change(
-        Callback<void(NodeId, RemoteState)>::to<&ReturnedPanels::heard>(returned_));
-    node().on_defaults_restored(
-        Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
+    device_.heartbeat_consumer().on_change(callback<&ReturnedPanels::heard>(returned_));
+    node().on_defaults_restored(callback<&CallControllerDevice::restored>(*this));
   }
 
   /// The node of the device: frames and points in time are handed to it.
@@ -100,15 +98,14 @@ class CallControllerDevice
   unsigned lift_;  ///< after power-on
   DeviceNode<layout, 1 + own_routes> device_;
   BusWarning bus_warning_{device_.node()};
-  LiftNumber lift_number_{
-      device_.node(),
-      {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
+  LiftNumber lift_number_{device_.node(),
+                          {.changed = callback<&CallController::set_lift_mask>(calls_)}};
   std::array<CallController::Destination, destinations> destinations_;
   SdoClient client_;
   CallController calls_;
   CallPanels<layout> panels_;
   ReturnedPanels returned_;
-  GapWatch gaps_{node(), Callback<void(NodeId)>::to<&ReturnedPanels::ask_anew>(returned_)};
+  GapWatch gaps_{node(), callback<&ReturnedPanels::ask_anew>(returned_)};
 };
 
 }  // namespace canvoy::cia417

@@ -114,31 +114,22 @@ class LiftControllerDevice
         units_(units_of(settings)),
         errors_(node(), device_.emergency_consumer(), register_client_, units_),
         lift_(node(), calls_,
-              errors_.guard(
-                  {.motion = drive_.interface(),
-                   .doors = doors_.interface(),
-                   .load = load_.interface(),
-                   .ask_anew = Callback<void()>::template to<&LiftControllerDevice::ask_units_anew>(
-                       *this)}),
+              errors_.guard({.motion = drive_.interface(),
+                             .doors = doors_.interface(),
+                             .load = load_.interface(),
+                             .ask_anew = callback<&LiftControllerDevice::ask_units_anew>(*this)}),
               with_doors(settings.lift, settings.doors.doors)) {
     const auto update = Callback<void()>::template to<&LiftController::update>(lift_);
     doors_.on_change(update);
     drive_.on_change(update);
     load_.on_change(update);
     errors_.on_change(update);
-    errors_.on_emergency(
-        Callback<void(NodeId, const Emergency&)>::template to<&LiftControllerDevice::told>(*this));
-    returned_.on_question(
-        Callback<bool(NodeId)>::template to<&LiftControllerDevice::has_inputs>(*this));
-    nmt_master_.on_message(
-        Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::heard>(*this));
-    nmt_master_.on_change(
-        Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::network_changed>(
-            *this));
-    node().on_defaults_restored(
-        Callback<void(ResetScope)>::template to<&LiftControllerDevice::restored>(*this));
-    service_.state_entered =
-        Callback<void(NmtState)>::template to<&LiftControllerDevice::state_entered>(*this);
+    errors_.on_emergency(callback<&LiftControllerDevice::told>(*this));
+    returned_.on_question(callback<&LiftControllerDevice::has_inputs>(*this));
+    nmt_master_.on_message(callback<&LiftControllerDevice::heard>(*this));
+    nmt_master_.on_change(callback<&LiftControllerDevice::network_changed>(*this));
+    node().on_defaults_restored(callback<&LiftControllerDevice::restored>(*this));
+    service_.state_entered = callback<&LiftControllerDevice::state_entered>(*this);
     node().attach(service_);
   }
 
@@ -245,11 +236,9 @@ class LiftControllerDevice
 
   DeviceNode<layout, own_routes, true, 16, errors_max> device_;
   BusWarning bus_warning_{device_.node()};
-  LiftNumber lift_number_{
-      device_.node(),
-      {.refuses = Callback<AbortCode()>::to<&LiftController::refuses_lift_number>(lift_),
-       .changed =
-           Callback<void(std::uint8_t)>::template to<&LiftControllerDevice::lift_changed>(*this)}};
+  LiftNumber lift_number_{device_.node(),
+                          {.refuses = callback<&LiftController::refuses_lift_number>(lift_),
+                           .changed = callback<&LiftControllerDevice::lift_changed>(*this)}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
   std::array<bool, node_id_max + 1> is_to_be_started_{};  ///< a command found no room
@@ -267,9 +256,7 @@ class LiftControllerDevice
   UnitErrors errors_;
   LiftController lift_;
   std::array<GapWatch::Rhythm, node_id_max> rhythms_;
-  GapWatch gaps_{node(),
-                 Callback<void(NodeId)>::template to<&LiftControllerDevice::ask_anew>(*this),
-                 rhythms_};
+  GapWatch gaps_{node(), callback<&LiftControllerDevice::ask_anew>(*this), rhythms_};
   Service service_;
 };
 

@@ -85,7 +85,7 @@ CarDoorController::CarDoorController(Node& node, const CarDoorControllerSettings
     : node_(node),
       settings_(settings),
       rpdos_(rpdos),
-      timer_(Callback<void(Time)>::to<&CarDoorController::expired>(*this)) {
+      timer_(callback<&CarDoorController::expired>(*this)) {
   node.attach(service_);
 }
 
@@ -350,10 +350,10 @@ DoorsStatus CarDoorController::status() const {
 
 LiftDoors CarDoorController::interface() {
   using Self = CarDoorController;
-  return {.open = Callback<void(DoorMask)>::to<&Self::open_for_lift>(*this),
-          .close = Callback<void(DoorMask, DoorClosing)>::to<&Self::close_for_lift>(*this),
-          .stop = Callback<void(DoorMask)>::to<&Self::stop_for_lift>(*this),
-          .status = Callback<DoorsStatus()>::to<&Self::status_for_lift>(*this)};
+  return {.open = callback<&Self::open_for_lift>(*this),
+          .close = callback<&Self::close_for_lift>(*this),
+          .stop = callback<&Self::stop_for_lift>(*this),
+          .status = callback<&Self::status_for_lift>(*this)};
 }
 
 }  // namespace canvoy::cia417

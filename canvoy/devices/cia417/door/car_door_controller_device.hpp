@@ -19,7 +19,7 @@ class LoneDoorController : public CarDoorController {
   /// Makes the controller; all arguments must outlive it.
   LoneDoorController(Node& node, const CarDoorControllerSettings& settings, Rpdos& rpdos)
       : CarDoorController(node, settings, &rpdos),
-        gaps_(node, Callback<void(NodeId)>::to<&LoneDoorController::ask_all>(*this)) {}
+        gaps_(node, callback<&LoneDoorController::ask_all>(*this)) {}
 
  private:
   void ask_all(NodeId /*door*/) { ask_anew(); }
@@ -53,8 +53,7 @@ struct CarDoorControllerKind : LiftKind<LoneDoorController, NoHardware, CarDoorC
   }
   template <class Services>
   static void connect(Services& services, CarDoorController& controller) {
-    services.heartbeat_consumer().on_change(
-        Callback<void(NodeId, RemoteState)>::to<&CarDoorController::heard>(controller));
+    services.heartbeat_consumer().on_change(callback<&CarDoorController::heard>(controller));
   }
 };
 

@@ -74,11 +74,11 @@ struct DoorBench {
 
   DoorHardware hardware() {
     using Self = DoorBench;
-    return {.sense = Callback<DoorReadings(Time)>::to<&Self::sense>(*this),
-            .drive = Callback<void(const DoorDrive&, Time)>::to<&Self::drive>(*this),
-            .lock = Callback<void(bool, Time)>::to<&Self::lock>(*this),
-            .use_battery = Callback<void(bool)>::to<&Self::use_battery>(*this),
-            .next_change = Callback<Time()>::to<&Self::next_change>(*this)};
+    return {.sense = callback<&Self::sense>(*this),
+            .drive = callback<&Self::drive>(*this),
+            .lock = callback<&Self::lock>(*this),
+            .use_battery = callback<&Self::use_battery>(*this),
+            .next_change = callback<&Self::next_change>(*this)};
   }
 };
 

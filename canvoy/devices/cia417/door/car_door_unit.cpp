@@ -61,8 +61,8 @@ CarDoorUnit::CarDoorUnit(Node& node, const DoorHardware& hardware, const CarDoor
     : node_(node),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&CarDoorUnit::act>(*this)),
-      reclose_(Callback<void(Time)>::to<&CarDoorUnit::reclose_expired>(*this)) {
+      timer_(callback<&CarDoorUnit::act>(*this)),
+      reclose_(callback<&CarDoorUnit::reclose_expired>(*this)) {
   node.attach(service_);
 }
 

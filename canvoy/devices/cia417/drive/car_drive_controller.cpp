@@ -65,8 +65,8 @@ CarDriveController::CarDriveController(Node& node, const CarDriveControllerServi
       car_(node.dictionary(), settings.lift,
            {settings.drive_unit_micrometre, settings.position_step_micrometre}),
       mode_(services.client, settings.drive, settings.trip_mode,
-            Callback<void()>::to<&CarDriveController::pursue>(*this)),
-      timer_(Callback<void(Time)>::to<&CarDriveController::expired>(*this)) {
+            callback<&CarDriveController::pursue>(*this)),
+      timer_(callback<&CarDriveController::expired>(*this)) {
   node.attach(service_);
 }
 
@@ -590,9 +590,9 @@ LiftMotion CarDriveController::interface() {
   using Command = Callback<void(std::int32_t)>;
   return {.travel_to = Command::to<&CarDriveController::travel_to>(*this),
           .run = Command::to<&CarDriveController::run>(*this),
-          .stop = Callback<void()>::to<&CarDriveController::stop>(*this),
-          .fast_stop = Callback<void()>::to<&CarDriveController::fast_stop>(*this),
-          .status = Callback<MotionStatus()>::to<&CarDriveController::status_for_lift>(*this)};
+          .stop = callback<&CarDriveController::stop>(*this),
+          .fast_stop = callback<&CarDriveController::fast_stop>(*this),
+          .status = callback<&CarDriveController::status_for_lift>(*this)};
 }
 
 }  // namespace canvoy::cia417

@@ -39,13 +39,12 @@ class LoneDriveController {
         errors_(services.node(), services.emergency_consumer(), register_client_, units_),
         dictionary_(services.node().dictionary()),
         lift_(lift_bit(settings.lift)),
-        gaps_(services.node(), Callback<void(NodeId)>::to<&LoneDriveController::ask_anew>(*this)) {
+        gaps_(services.node(), callback<&LoneDriveController::ask_anew>(*this)) {
     using Self = LoneDriveController;
-    errors_.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&Self::told>(*this));
-    errors_.on_change(Callback<void()>::to<&Self::errors_changed>(*this));
-    services.heartbeat_consumer().on_change(
-        Callback<void(NodeId, RemoteState)>::to<&Self::unit_changed>(*this));
-    services.node().on_defaults_restored(Callback<void(ResetScope)>::to<&Self::restored>(*this));
+    errors_.on_emergency(callback<&Self::told>(*this));
+    errors_.on_change(callback<&Self::errors_changed>(*this));
+    services.heartbeat_consumer().on_change(callback<&Self::unit_changed>(*this));
+    services.node().on_defaults_restored(callback<&Self::restored>(*this));
   }
   LoneDriveController(const LoneDriveController&) = delete;
   LoneDriveController& operator=(const LoneDriveController&) = delete;

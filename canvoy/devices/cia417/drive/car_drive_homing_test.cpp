@@ -19,7 +19,7 @@ class HomingBench : public DriveBench {
   HomingBench() { sense(); }
   CarDriveHardware shaft() {
     CarDriveHardware made = hardware();
-    made.sense = Callback<DriveReadings()>::to<&HomingBench::sense_shaft>(*this);
+    made.sense = callback<&HomingBench::sense_shaft>(*this);
     return made;
   }
   DriveReadings sense_shaft() {

@@ -184,7 +184,7 @@ TEST(DriveControlLoop, GetsItsGainAndItsIntegrationTime) {
   DriveBench bench;
   ControlLoop loop;
   CarDriveHardware hardware = bench.hardware();
-  hardware.control = Callback<void(std::uint16_t, std::uint16_t)>::to<&ControlLoop::set>(loop);
+  hardware.control = callback<&ControlLoop::set>(loop);
   CarDriveDevice<> device(bench.port(), 2, hardware);
   bench.boot(device.node());
   EXPECT_EQ(loop.gain, 0);

@@ -24,13 +24,12 @@ class DriveBench {
  public:
   Port port() { return {this, &DriveBench::take, nullptr}; }
   CarDriveHardware hardware() {
-    return {.sense = Callback<DriveReadings()>::to<&DriveBench::sense>(*this),
-            .power = Callback<void(bool)>::to<&DriveBench::set_power>(*this),
-            .release_brake = Callback<void(bool)>::to<&DriveBench::set_brake>(*this),
-            .follow =
-                Callback<void(const MotionProfile&, Duration)>::to<&DriveBench::set_profile>(*this),
-            .arrest = Callback<void()>::to<&DriveBench::arrest>(*this),
-            .brake_holds = Callback<bool()>::to<&DriveBench::test_brake>(*this)};
+    return {.sense = callback<&DriveBench::sense>(*this),
+            .power = callback<&DriveBench::set_power>(*this),
+            .release_brake = callback<&DriveBench::set_brake>(*this),
+            .follow = callback<&DriveBench::set_profile>(*this),
+            .arrest = callback<&DriveBench::arrest>(*this),
+            .brake_holds = callback<&DriveBench::test_brake>(*this)};
   }
 
   /// The node that has the clock.

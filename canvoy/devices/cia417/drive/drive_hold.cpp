@@ -10,8 +10,7 @@ DriveHold::DriveHold(Node& node, EmergencyConsumer* emergencies, std::span<const
                      Callback<void()> held)
     : node_(node), held_(held) {
   if (emergencies == nullptr) return;
-  emergencies->on_emergency(
-      Callback<void(NodeId, const Emergency&)>::to<&DriveHold::emergency_heard>(*this));
+  emergencies->on_emergency(callback<&DriveHold::emergency_heard>(*this));
   for (const NodeId node_id : more) emergencies->listen(node_id);
 }
 

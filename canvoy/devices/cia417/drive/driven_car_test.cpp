@@ -9,11 +9,10 @@ namespace {
 class DrivenCarTest : public testing::Test {
  protected:
   CarDriveHardware hardware() {
-    return {.sense = Callback<DriveReadings()>::to<&DrivenCarTest::read>(*this),
-            .power = Callback<void(bool)>::to<&DrivenCarTest::set_power>(*this),
-            .release_brake = Callback<void(bool)>::to<&DrivenCarTest::set_brake>(*this),
-            .follow = Callback<void(const MotionProfile&, Duration)>::to<&DrivenCarTest::set_delay>(
-                *this)};
+    return {.sense = callback<&DrivenCarTest::read>(*this),
+            .power = callback<&DrivenCarTest::set_power>(*this),
+            .release_brake = callback<&DrivenCarTest::set_brake>(*this),
+            .follow = callback<&DrivenCarTest::set_delay>(*this)};
   }
   void sense_at(Time at) {
     now = at;
@@ -32,7 +31,7 @@ class DrivenCarTest : public testing::Test {
   Duration delay{};
   int led = 0;
   Time now{1s};
-  DrivenCar car{hardware(), 200ms, Callback<void()>::to<&DrivenCarTest::note>(*this)};
+  DrivenCar car{hardware(), 200ms, callback<&DrivenCarTest::note>(*this)};
 
  private:
   DriveReadings read() { return readings; }

@@ -44,9 +44,9 @@ DestinationDispatcher::DestinationDispatcher(std::span<const GroupLift> lifts,
 
 OtherPlans DestinationDispatcher::plans() {
   using Self = DestinationDispatcher;
-  return {.add_stops = Callback<void(unsigned, Route&)>::to<&Self::add_stops>(*this),
-          .delayed = Callback<unsigned(unsigned, const Landing&)>::to<&Self::delayed>(*this),
-          .is_full = Callback<bool(unsigned, const Landing&)>::to<&Self::is_full>(*this)};
+  return {.add_stops = callback<&Self::add_stops>(*this),
+          .delayed = callback<&Self::delayed>(*this),
+          .is_full = callback<&Self::is_full>(*this)};
 }
 
 // Events

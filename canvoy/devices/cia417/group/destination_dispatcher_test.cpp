@@ -24,9 +24,8 @@ class DestinationDispatcherTest : public testing::Test {
   void board(const DestinationCall& call) { boarded.push_back(call.target); }
   void depart(unsigned lift, std::uint8_t floor, Direction direction, DoorMask doors = 1) {
     boarded.clear();
-    dispatcher.departed(
-        lift, {floor, direction}, doors,
-        Callback<void(const DestinationCall&)>::to<&DestinationDispatcherTest::board>(*this));
+    dispatcher.departed(lift, {floor, direction}, doors,
+                        callback<&DestinationDispatcherTest::board>(*this));
     std::ranges::sort(boarded);
   }
   unsigned persons(unsigned lift) const {

@@ -73,29 +73,22 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
       up_peak_(std::span<const GroupLift>(lifts_).first(settings.lifts), settings.up_peak),
       assignments_(memory.assignments),
       acknowledgements_(memory.acknowledgements),
-      assignment_mapping_(
-          node, tpdos, virtual_input_mapping_object.index,
-          {.waits = Callback<bool()>::to<&GroupController::assignment_waits>(*this),
-           .next = Callback<std::uint64_t()>::to<&GroupController::next_assignment>(*this)}),
-      acknowledgement_mapping_(
-          node, tpdos, virtual_output_mapping_object.index,
-          {.waits = Callback<bool()>::to<&GroupController::acknowledgement_waits>(*this),
-           .next = Callback<std::uint64_t()>::to<&GroupController::next_acknowledgement>(*this)}),
-      timer_(Callback<void(Time)>::to<&GroupController::reconsider>(*this)),
-      again_timer_(Callback<void(Time)>::to<&GroupController::tell_again>(*this)),
-      gaps_(node, Callback<void(NodeId)>::to<&GroupController::ask_anew>(*this)) {
+      assignment_mapping_(node, tpdos, virtual_input_mapping_object.index,
+                          {.waits = callback<&GroupController::assignment_waits>(*this),
+                           .next = callback<&GroupController::next_assignment>(*this)}),
+      acknowledgement_mapping_(node, tpdos, virtual_output_mapping_object.index,
+                               {.waits = callback<&GroupController::acknowledgement_waits>(*this),
+                                .next = callback<&GroupController::next_acknowledgement>(*this)}),
+      timer_(callback<&GroupController::reconsider>(*this)),
+      again_timer_(callback<&GroupController::tell_again>(*this)),
+      gaps_(node, callback<&GroupController::ask_anew>(*this)) {
   node.attach(service_);
-  heartbeats.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupController::heard>(*this));
+  heartbeats.on_change(callback<&GroupController::heard>(*this));
   hall_.plan_with(destinations_.plans());
   destinations_.plan_with(hall_.plans());
-  hall_.on_assigned(
-      Callback<void(const HallCall&, unsigned)>::to<&GroupController::hall_assigned>(*this));
-  destinations_.on_assigned(
-      Callback<void(const DestinationCall&, unsigned)>::to<&GroupController::destination_assigned>(
-          *this));
-  destinations_.on_withdrawn(
-      Callback<void(const DestinationCall&, unsigned)>::to<&GroupController::destination_withdrawn>(
-          *this));
+  hall_.on_assigned(callback<&GroupController::hall_assigned>(*this));
+  destinations_.on_assigned(callback<&GroupController::destination_assigned>(*this));
+  destinations_.on_withdrawn(callback<&GroupController::destination_withdrawn>(*this));
 }
 
 void GroupController::reset(ResetScope) {

@@ -48,18 +48,18 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
       queue_(queue),
       settings_(settings),
       call_mapping_(node, tpdos, virtual_input_mapping_object.index,
-                    {.waits = Callback<bool()>::to<&GroupMember::call_waits>(*this),
-                     .next = Callback<std::uint64_t()>::to<&GroupMember::next_call>(*this)}),
+                    {.waits = callback<&GroupMember::call_waits>(*this),
+                     .next = callback<&GroupMember::next_call>(*this)}),
       status_mapping_(node, tpdos, virtual_output_mapping_object.index,
-                      {.waits = Callback<bool()>::to<&GroupMember::status_waits>(*this),
-                       .next = Callback<std::uint64_t()>::to<&GroupMember::next_status>(*this)}),
-      gaps_(node, Callback<void(NodeId)>::to<&GroupMember::tell_anew>(*this)) {
+                      {.waits = callback<&GroupMember::status_waits>(*this),
+                       .next = callback<&GroupMember::next_status>(*this)}),
+      gaps_(node, callback<&GroupMember::tell_anew>(*this)) {
   node.attach(service_);
   lift_node.attach(lift_service_);
-  heartbeats_.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupMember::group_heard>(*this));
-  calls_.on_hall_call(Callback<bool(const VirtualInput&)>::to<&GroupMember::offer>(*this));
-  lift_.on_stop(Callback<void(const Landing&, DoorMask)>::to<&GroupMember::stopped>(*this));
-  lift_.on_change(Callback<void()>::to<&GroupMember::update>(*this));
+  heartbeats_.on_change(callback<&GroupMember::group_heard>(*this));
+  calls_.on_hall_call(callback<&GroupMember::offer>(*this));
+  lift_.on_stop(callback<&GroupMember::stopped>(*this));
+  lift_.on_change(callback<&GroupMember::update>(*this));
 }
 
 void GroupMember::reset(ResetScope) {

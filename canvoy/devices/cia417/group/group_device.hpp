@@ -142,8 +142,7 @@ class GroupMemberDevice : public DeviceValues<GroupMemberDevice<layout, queue_ma
         group_controller_(group_controller),
         member_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(), lift_node, calls,
                 controller, queue_, {.lift = lift, .group_controller = group_controller}) {
-    node().on_defaults_restored(
-        Callback<void(ResetScope)>::to<&GroupMemberDevice::restored>(*this));
+    node().on_defaults_restored(callback<&GroupMemberDevice::restored>(*this));
   }
 
   /// The node on the bus of the group.
@@ -184,8 +183,7 @@ class GroupControllerDevice
       : device_(port, node_id, true),
         group_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(),
                {hall_calls_, destinations_, assignments_, acknowledgements_}, settings) {
-    node().on_defaults_restored(
-        Callback<void(ResetScope)>::to<&GroupControllerDevice::restored>(*this));
+    node().on_defaults_restored(callback<&GroupControllerDevice::restored>(*this));
   }
 
   /// The node of the device.

@@ -68,9 +68,8 @@ class HallDispatcher {
   void plan_with(const OtherPlans& others) { others_ = others; }
   /// The plans of this dispatcher, for others.
   OtherPlans plans() {
-    return {.add_stops = Callback<void(unsigned, Route&)>::to<&HallDispatcher::add_stops>(*this),
-            .delayed =
-                Callback<unsigned(unsigned, const Landing&)>::to<&HallDispatcher::delayed>(*this),
+    return {.add_stops = callback<&HallDispatcher::add_stops>(*this),
+            .delayed = callback<&HallDispatcher::delayed>(*this),
             .is_full = {}};
   }
 

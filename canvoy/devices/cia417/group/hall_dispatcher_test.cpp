@@ -26,10 +26,7 @@ GroupLift lift_at(std::uint8_t floor, Direction direction = Direction::none) {
 
 class HallDispatcherTest : public testing::Test {
  protected:
-  HallDispatcherTest() {
-    dispatcher.on_assigned(
-        Callback<void(const HallCall&, unsigned)>::to<&HallDispatcherTest::note>(*this));
-  }
+  HallDispatcherTest() { dispatcher.on_assigned(callback<&HallDispatcherTest::note>(*this)); }
   void note(const HallCall& call, unsigned lift) { told.emplace_back(call.floor, lift); }
 
   std::array<GroupLift, 3> lifts{lift_at(1), lift_at(10), lift_at(18)};

@@ -37,10 +37,10 @@ class LiftBehaviour {
   static LiftNumberSettings settings(Unit& unit) {
     LiftNumberSettings made;
     if constexpr (requires { unit.refuses_lift_number(); }) {
-      made.refuses = Callback<AbortCode()>::to<&Unit::refuses_lift_number>(unit);
+      made.refuses = callback<&Unit::refuses_lift_number>(unit);
     }
     if constexpr (requires { unit.lift_changed(std::uint8_t{}); }) {
-      made.changed = Callback<void(std::uint8_t)>::to<&Unit::lift_changed>(unit);
+      made.changed = callback<&Unit::lift_changed>(unit);
     }
     return made;
   }

@@ -64,9 +64,7 @@ struct Bench {
   double kilograms = 0;
   Cable cable;
   LoadMeasuringDevice<options> load{
-      cable.port(0),
-      13,
-      {.rope_load = Callback<std::optional<double>(unsigned)>::to<&Bench::weigh>(*this)}};
+      cable.port(0), 13, {.rope_load = callback<&Bench::weigh>(*this)}};
   DoorBench plant;
   CarDoorDevice<> door{cable.port(1), 6, {plant.hardware()}};
 };

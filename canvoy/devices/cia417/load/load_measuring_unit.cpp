@@ -37,7 +37,7 @@ LoadMeasuringUnit::LoadMeasuringUnit(Node& node, const LoadHardware& hardware,
     : node_(node),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&LoadMeasuringUnit::look>(*this)) {
+      timer_(callback<&LoadMeasuringUnit::look>(*this)) {
   node.attach(service_);
 }
 

@@ -13,9 +13,7 @@ struct Ropes {
   std::array<std::optional<double>, 4> kilograms{0, 0, 0, 0};
 
   std::optional<double> load(unsigned rope) { return kilograms.at(rope - 1); }
-  LoadHardware hardware() {
-    return {.rope_load = Callback<std::optional<double>(unsigned)>::to<&Ropes::load>(*this)};
-  }
+  LoadHardware hardware() { return {.rope_load = callback<&Ropes::load>(*this)}; }
 };
 
 class LoadUnit : public testing::Test {

@@ -33,7 +33,7 @@ LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats
       zero_(node.dictionary(), settings.lift),
       full_(node.dictionary(), settings.lift),
       overload_(node.dictionary(), settings.lift),
-      timer_(Callback<void(Time)>::to<&LoadSignals::expired>(*this)) {
+      timer_(callback<&LoadSignals::expired>(*this)) {
   node.attach(service_);
 }
 

@@ -42,7 +42,7 @@ class LoadSignals {
   /// Takes a boot-up message or heartbeat of a node.
   void heard(NodeId node, RemoteState state);
   /// For a LiftController; valid as long as this.
-  Callback<LiftLoad()> interface() { return Callback<LiftLoad()>::to<&LoadSignals::now>(*this); }
+  Callback<LiftLoad()> interface() { return callback<&LoadSignals::now>(*this); }
 
  private:
   void reset(ResetScope scope);

@@ -39,9 +39,8 @@ InputPanelUnit::InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory&
       queue_(memory.queue),
       settings_(settings),
       mapping_(node, tpdos, virtual_input_mapping_object.index,
-               {Callback<bool()>::to<&InputPanelUnit::waits>(*this),
-                Callback<std::uint64_t()>::to<&InputPanelUnit::next>(*this)}),
-      timer_(Callback<void(Time)>::to<&InputPanelUnit::expire>(*this)) {
+               {callback<&InputPanelUnit::waits>(*this), callback<&InputPanelUnit::next>(*this)}),
+      timer_(callback<&InputPanelUnit::expire>(*this)) {
   node.attach(service_);
 }
 

@@ -80,10 +80,7 @@ class OutputBench {
   std::array<OutputView, 7> views{};
   std::vector<std::uint32_t> shown;  ///< outputs shown by the hardware, in their order
   OutputPanelDevice<bench_lamps_layout> panel{
-      cable.port(0),
-      21,
-      {.show = Callback<void(std::uint32_t, const OutputView&)>::to<&OutputBench::show>(*this)},
-      {.outputs = bench_outputs}};
+      cable.port(0), 21, {.show = callback<&OutputBench::show>(*this)}, {.outputs = bench_outputs}};
 
  private:
   void show(std::uint32_t output, const OutputView& view) {

@@ -47,7 +47,7 @@ OutputPanelUnit::OutputPanelUnit(Node& node, std::span<OutputState> states,
       states_(states),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&OutputPanelUnit::expire>(*this)) {
+      timer_(callback<&OutputPanelUnit::expire>(*this)) {
   node.attach(service_);
 }
 

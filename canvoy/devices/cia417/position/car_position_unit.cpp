@@ -51,11 +51,10 @@ CarPositionUnit::CarPositionUnit(Node& node, const CarPositionServices& services
       hardware_(hardware),
       settings_(settings),
       cams_(node.dictionary(), settings.lift, settings.cams),
-      timer_(Callback<void(Time)>::to<&CarPositionUnit::tick>(*this)) {
+      timer_(callback<&CarPositionUnit::tick>(*this)) {
   node.attach(service_);
   if (services.tpdos != nullptr) {
-    services.tpdos->before_transmit =
-        Callback<void(std::uint16_t)>::to<&CarPositionUnit::before_transmit>(*this);
+    services.tpdos->before_transmit = callback<&CarPositionUnit::before_transmit>(*this);
   }
   for (unsigned unit = 1; unit <= position_unit_count; ++unit) {
     units_[unit - 1].exists = value(position_value[unit]).exists();

@@ -20,9 +20,7 @@ namespace canvoy::cia417 {
 struct Encoders {
   std::array<PositionReadings, 4> readings;
   PositionReadings sense(unsigned unit) { return readings[unit - 1]; }
-  CarPositionHardware hardware() {
-    return {.sense = Callback<PositionReadings(unsigned)>::to<&Encoders::sense>(*this)};
-  }
+  CarPositionHardware hardware() { return {.sense = callback<&Encoders::sense>(*this)}; }
 };
 
 inline constexpr auto four_units_layout = layout_of<CarPositionKind<LiftDeviceOptions{}, 4, 2>>;

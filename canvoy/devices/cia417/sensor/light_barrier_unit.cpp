@@ -12,7 +12,7 @@ LightBarrierUnit::LightBarrierUnit(Node& node, const LightBarrierHardware& hardw
     : node_(node),
       hardware_(hardware),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&LightBarrierUnit::look>(*this)) {
+      timer_(callback<&LightBarrierUnit::look>(*this)) {
   seen_.fill(Detection::not_available);
   node.attach(service_);
 }

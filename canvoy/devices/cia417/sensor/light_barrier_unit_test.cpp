@@ -17,9 +17,7 @@ struct Beams {
     ++looks;
     return seen.at(door - 1);
   }
-  LightBarrierHardware hardware() {
-    return {.sense = Callback<Detection(unsigned)>::to<&Beams::sense>(*this)};
-  }
+  LightBarrierHardware hardware() { return {.sense = callback<&Beams::sense>(*this)}; }
 };
 
 class LightBarrier : public testing::Test {

@@ -36,9 +36,8 @@ SensorUnit::SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory,
       queue_(memory.queue),
       settings_(settings),
       mapping_(node, tpdos, virtual_sensor_mapping_object.index,
-               {Callback<bool()>::to<&SensorUnit::waits>(*this),
-                Callback<std::uint64_t()>::to<&SensorUnit::next>(*this)}),
-      timer_(Callback<void(Time)>::to<&SensorUnit::expire>(*this)) {
+               {callback<&SensorUnit::waits>(*this), callback<&SensorUnit::next>(*this)}),
+      timer_(callback<&SensorUnit::expire>(*this)) {
   node.attach(service_);
 }
 

@@ -16,10 +16,9 @@ VirtualMapping::VirtualMapping(Node& node, Tpdos& tpdos, std::uint16_t index,
       tpdos_(tpdos),
       source_(source),
       former_(tpdos.before_transmit),
-      timer_(Callback<void(Time)>::to<&VirtualMapping::go_on>(*this)),
+      timer_(callback<&VirtualMapping::go_on>(*this)),
       index_(index) {
-  tpdos_.before_transmit =
-      Callback<void(std::uint16_t)>::to<&VirtualMapping::before_transmit>(*this);
+  tpdos_.before_transmit = callback<&VirtualMapping::before_transmit>(*this);
 }
 
 void VirtualMapping::announce() {

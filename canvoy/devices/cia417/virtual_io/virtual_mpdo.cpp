@@ -20,12 +20,11 @@ VirtualMpdoProducer::VirtualMpdoProducer(Node& node, Tpdos& tpdos, MpdoProducer&
       mapping_(mapping),
       settings_(settings),
       former_(tpdos.before_transmit),
-      timer_(Callback<void(Time)>::to<&VirtualMpdoProducer::go_on>(*this)) {
-  tpdos_.before_transmit =
-      Callback<void(std::uint16_t)>::to<&VirtualMpdoProducer::before_transmit>(*this);
+      timer_(callback<&VirtualMpdoProducer::go_on>(*this)) {
+  tpdos_.before_transmit = callback<&VirtualMpdoProducer::before_transmit>(*this);
   node.attach(service_);
-  mapping.use({Callback<bool()>::to<&VirtualMpdoProducer::is_working>(*this),
-               Callback<void()>::to<&VirtualMpdoProducer::announce>(*this)});
+  mapping.use({callback<&VirtualMpdoProducer::is_working>(*this),
+               callback<&VirtualMpdoProducer::announce>(*this)});
 }
 
 /// The owner sends again the record that was under way. In source address mode, both parts are sent

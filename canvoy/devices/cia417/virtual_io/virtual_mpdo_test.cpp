@@ -117,10 +117,7 @@ class MpdoBench {
   void came(const Entry& entry, Source) {
     heard.push_back(controller.dictionary().number(entry.index, 0));
   }
-  Hook hook_{
-      .first = 0x6010,
-      .last = 0x6010,
-      .after_write = Callback<void(const Entry&, Source)>::template to<&MpdoBench::came>(*this)};
+  Hook hook_{.first = 0x6010, .last = 0x6010, .after_write = callback<&MpdoBench::came>(*this)};
 };
 using Frames = std::vector<std::string>;
 using Heard = std::vector<std::uint64_t>;

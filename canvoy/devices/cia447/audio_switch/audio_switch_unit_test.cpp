@@ -22,8 +22,8 @@ class AudioSwitch : public testing::Test {
     return bench.ask_as(client, "40 22 61 00 00 00 00 00").substr(12, 2);
   }
   void provide(Environment& environment) {
-    environment.watch(Callback<void(AudioSwitchUnit&, Node&)>::to<&AudioSwitch::made>(*this));
-    environment.provide(Callback<AudioSwitchHardware()>::to<&AudioSwitch::hardware>(*this));
+    environment.watch(unit_);
+    environment.provide(callback<&AudioSwitch::hardware>(*this));
   }
   AudioSwitchHardware hardware() {
     using Connect = Callback<void(unsigned, unsigned, std::uint8_t)>;
@@ -34,7 +34,6 @@ class AudioSwitch : public testing::Test {
         std::to_string(input) + ">" + std::to_string(output) + ":" + std::to_string(gain) + " ";
     ++changes;
   }
-  void made(AudioSwitchUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   std::string heard;
   int changes = 0;

@@ -15,10 +15,7 @@ constexpr std::uint32_t status_pdo = 0x38B;
 
 class BlueLight : public testing::Test {
  protected:
-  void provide(Environment& environment) {
-    environment.watch(Callback<void(BlueLightUnit&, Node&)>::to<&BlueLight::made>(*this));
-  }
-  void made(BlueLightUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void provide(Environment& environment) { environment.watch(unit_); }
 
   BlueLightUnit* unit_ = nullptr;
   CarBench bench{only_unit<BlueLightKind>,

@@ -16,10 +16,7 @@ class DiscreteInputs : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x398);
   }
-  void provide(Environment& environment) {
-    environment.watch(Callback<void(DiscreteInputsUnit&, Node&)>::to<&DiscreteInputs::made>(*this));
-  }
-  void made(DiscreteInputsUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void provide(Environment& environment) { environment.watch(unit_); }
 
   DiscreteInputsUnit* unit_ = nullptr;
   CarBench bench{only_unit<DiscreteInputsKind>,

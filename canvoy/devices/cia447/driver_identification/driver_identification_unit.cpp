@@ -26,13 +26,10 @@ DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
       clock_objects_(
           network,
           {.provider = settings.clock_node, .objects = bus_clock_objects, .check = check_of_date}),
-      clock_reader_(
-          network,
-          {.server = settings.clock_node,
-           .indices = clock_objects,
-           .period = settings.asking_period,
-           .came = Callback<void(std::uint16_t)>::to<&DriverIdentificationUnit::clock_was_read>(
-               *this)}) {
+      clock_reader_(network, {.server = settings.clock_node,
+                              .indices = clock_objects,
+                              .period = settings.asking_period,
+                              .came = callback<&DriverIdentificationUnit::clock_was_read>(*this)}) {
   network.node().attach(service_);
 }
 

@@ -18,9 +18,8 @@ class Drivers : public testing::Test {
     bench.emplace(only_unit<DriverIdentificationKind>, [this](Environment& environment) {
       environment.provide(Callback<DriverIdentificationSettings()>(
           [](void*) { return DriverIdentificationSettings{.clock_node = 7}; }, nullptr));
-      environment.provide(Callback<DriverIdentificationHardware()>::to<&Drivers::hardware>(*this));
-      environment.watch(
-          Callback<void(DriverIdentificationUnit&, Node&)>::to<&Drivers::made>(*this));
+      environment.provide(callback<&Drivers::hardware>(*this));
+      environment.watch(unit);
     });
   }
   std::string status() {
@@ -35,10 +34,8 @@ class Drivers : public testing::Test {
 
  private:
   DriverIdentificationHardware hardware() {
-    return {.clock = Callback<std::optional<LocalTime>()>::to<&Drivers::clock>(*this),
-            .knows = Callback<bool(std::uint64_t)>::to<&Drivers::knows>(*this)};
+    return {.clock = callback<&Drivers::clock>(*this), .knows = callback<&Drivers::knows>(*this)};
   }
-  void made(DriverIdentificationUnit& made_unit, Node& /*node*/) { unit = &made_unit; }
   std::optional<LocalTime> clock() { return local; }
   bool knows(std::uint64_t id) { return id != 666; }
 };

@@ -15,11 +15,7 @@ class FreshAirTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38D);
   }
-  void provide(Environment& environment) {
-    environment.watch(
-        Callback<void(EmergencyFreshAirUnit&, Node&)>::to<&FreshAirTest::made>(*this));
-  }
-  void made(EmergencyFreshAirUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void provide(Environment& environment) { environment.watch(unit_); }
 
   EmergencyFreshAirUnit* unit_ = nullptr;
   CarBench bench{only_unit<EmergencyFreshAirKind>,

@@ -15,11 +15,7 @@ class FireExtinguishingTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38E);
   }
-  void provide(Environment& environment) {
-    environment.watch(
-        Callback<void(FireExtinguishingUnit&, Node&)>::to<&FireExtinguishingTest::made>(*this));
-  }
-  void made(FireExtinguishingUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void provide(Environment& environment) { environment.watch(unit_); }
 
   FireExtinguishingUnit* unit_ = nullptr;
   CarBench bench{only_unit<FireExtinguishingKind>,

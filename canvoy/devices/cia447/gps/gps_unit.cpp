@@ -45,7 +45,7 @@ GpsUnit::GpsUnit(CarNetwork& network, const GpsHardware& hardware, const GpsSett
       hardware_(hardware),
       settings_(settings),
       values_(network.node().dictionary()),
-      timer_(Callback<void(Time)>::to<&GpsUnit::look>(*this)) {
+      timer_(callback<&GpsUnit::look>(*this)) {
   network.node().attach(service_);
 }
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t position_pdo = 0x38F;
 class Gps : public testing::Test {
  protected:
   GpsReading read() { return reading; }
-  GpsHardware hardware() { return {.read = Callback<GpsReading()>::to<&Gps::read>(*this)}; }
+  GpsHardware hardware() { return {.read = callback<&Gps::read>(*this)}; }
   void see(const GpsReading& now) {
     reading = now;
     bench.cable.run_for(1s);
@@ -29,7 +29,7 @@ class Gps : public testing::Test {
 
   GpsReading reading;
   CarBench bench{only_unit<GpsKind>, [this](Environment& environment) {
-                   environment.provide(Callback<GpsHardware()>::to<&Gps::hardware>(*this));
+                   environment.provide(callback<&Gps::hardware>(*this));
                  }};
 };
 
@@ -235,17 +235,16 @@ struct Talker {
   GpsUnit* unit = nullptr;
 
   GpsReading read() { return nmea.reading(); }
-  GpsHardware hardware() { return {.read = Callback<GpsReading()>::to<&Talker::read>(*this)}; }
+  GpsHardware hardware() { return {.read = callback<&Talker::read>(*this)}; }
   GpsSettings settings() { return {.period = 0s}; }
-  void made(GpsUnit& made, Node& /*node*/) { unit = &made; }
 };
 
 TEST(GpsByNmea, SentencesGoToTheBusWhenTheySaySo) {
   Talker talker;
   CarBench bench(only_unit<GpsKind>, [&](Environment& environment) {
-    environment.provide(Callback<GpsHardware()>::to<&Talker::hardware>(talker));
-    environment.provide(Callback<GpsSettings()>::to<&Talker::settings>(talker));
-    environment.watch(Callback<void(GpsUnit&, Node&)>::to<&Talker::made>(talker));
+    environment.provide(callback<&Talker::hardware>(talker));
+    environment.provide(callback<&Talker::settings>(talker));
+    environment.watch(talker.unit);
   });
   talker.nmea.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n");
   bench.cable.clear();

@@ -5,9 +5,7 @@ namespace canvoy::cia447 {
 HandsFreeUnit::HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
                              const SwitchedSettings& settings)
     : hardware_(hardware),
-      unit_(network,
-            {.drive = Callback<bool(const Commanded&)>::to<&HandsFreeUnit::commanded>(*this)},
-            settings) {}
+      unit_(network, {.drive = callback<&HandsFreeUnit::commanded>(*this)}, settings) {}
 
 bool HandsFreeUnit::commanded(const Commanded& wanted) {
   const bool is_on = wanted.as<Order>() == Order::on;

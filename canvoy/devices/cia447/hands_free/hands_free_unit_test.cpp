@@ -14,16 +14,15 @@ class HandsFree : public testing::Test {
     return bench.ask("2F 51 61 00 " + byte + " 00 00 00");
   }
   void provide(Environment& environment) {
-    environment.watch(Callback<void(HandsFreeUnit&, Node&)>::to<&HandsFree::made>(*this));
-    environment.provide(Callback<HandsFreeHardware()>::to<&HandsFree::hardware>(*this));
+    environment.watch(unit_);
+    environment.provide(callback<&HandsFree::hardware>(*this));
   }
   HandsFreeHardware hardware() {
-    return {.show_led = Callback<void(bool)>::to<&HandsFree::show_led>(*this),
-            .mute = Callback<void(bool)>::to<&HandsFree::mute>(*this)};
+    return {.show_led = callback<&HandsFree::show_led>(*this),
+            .mute = callback<&HandsFree::mute>(*this)};
   }
   void show_led(bool is_on) { told += is_on ? "LED " : "no LED "; }
   void mute(bool is_on) { told += is_on ? "mute " : "no mute "; }
-  void made(HandsFreeUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   std::string told;
   HandsFreeUnit* unit_ = nullptr;

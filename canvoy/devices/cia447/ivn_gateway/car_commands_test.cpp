@@ -302,14 +302,13 @@ TEST(CarCommandsDriven, TheHardwareIsToldAndReports) {
     void thing_became(const FieldPlace&, std::uint32_t code) { became.push_back(code); }
     CarHardware hardware() {
       CarHardware car;
-      car.switched.drive = Callback<bool(const Commanded&)>::to<&Motors::drive>(*this);
-      car.switched.became =
-          Callback<void(const FieldPlace&, std::uint32_t)>::to<&Motors::thing_became>(*this);
+      car.switched.drive = callback<&Motors::drive>(*this);
+      car.switched.became = callback<&Motors::thing_became>(*this);
       return car;
     }
   } motors;
   CarBench bench(only_unit<IvnGatewayKind>, [&](Environment& environment) {
-    environment.provide(Callback<CarHardware()>::to<&Motors::hardware>(motors));
+    environment.provide(callback<&Motors::hardware>(motors));
   });
   bench.ask_as(7, "2B 0C 60 00 F0 FF 00 00");  // driver and front passenger
   ASSERT_EQ(motors.told.size(), 2u);

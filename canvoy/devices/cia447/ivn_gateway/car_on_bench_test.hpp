@@ -28,8 +28,8 @@ struct DrivenCar {
     car.outside_temperature = sensor(outside);
     car.steering_wheel_angle = sensor(steering);
     car.fuel = sensor(fuel);
-    car.gear = Callback<Gear()>::to<&DrivenCar::sensed_gear>(*this);
-    car.vin = Callback<std::string_view()>::to<&DrivenCar::sensed_vin>(*this);
+    car.gear = callback<&DrivenCar::sensed_gear>(*this);
+    car.vin = callback<&DrivenCar::sensed_vin>(*this);
     return car;
   }
 
@@ -53,12 +53,11 @@ class CarOnBench {
  private:
   void provide(Environment& environment) {
     environment.manages_network = false;  // the test is the master
-    environment.provide(Callback<CarHardware()>::to<&DrivenCar::hardware>(car));
-    environment.provide(Callback<CarSettings()>::to<&CarOnBench::settings>(*this));
-    environment.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&CarOnBench::made>(*this));
+    environment.provide(callback<&DrivenCar::hardware>(car));
+    environment.provide(callback<&CarOnBench::settings>(*this));
+    environment.watch(unit_);
   }
   CarSettings settings() { return settings_; }
-  void made(IvnGatewayUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   CarSettings settings_;
   IvnGatewayUnit* unit_ = nullptr;

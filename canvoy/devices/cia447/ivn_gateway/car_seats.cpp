@@ -44,9 +44,8 @@ CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
     : network_(network),
       hardware_(hardware),
       commands_(network, seat_commands_wanted,
-                {.commanded = Callback<void(const Commanded&)>::to<&CarSeats::commanded>(*this),
-                 .lacking = settings.lacking}),
-      timer_(Callback<void(Time)>::to<&CarSeats::step>(*this)) {
+                {.commanded = callback<&CarSeats::commanded>(*this), .lacking = settings.lacking}),
+      timer_(callback<&CarSeats::step>(*this)) {
   for (Seat& seat : seats_) {
     seat.position.fill(position_at_first);
     seat.target = seat.position;

@@ -87,8 +87,8 @@ TEST_F(CarSeatsUnit, AnEmptyMemoryMovesNothing) {
 class KeptMemories {
  public:
   SeatStore store() {
-    return {.load = Callback<SeatMemories()>::to<&KeptMemories::load>(*this),
-            .store = Callback<void(const SeatMemories&)>::to<&KeptMemories::keep>(*this)};
+    return {.load = callback<&KeptMemories::load>(*this),
+            .store = callback<&KeptMemories::keep>(*this)};
   }
 
   SeatMemories kept;

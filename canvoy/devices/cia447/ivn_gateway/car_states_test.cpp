@@ -94,7 +94,7 @@ TEST(CarSensors, TellWhatTheySenseWhereTheFigureHasRoom) {
   } offered{car};
   CarBench bench(only_unit<IvnGatewayKind>, [&](Environment& environment) {
     environment.manages_network = false;
-    environment.provide(Callback<CarHardware()>::to<&Offered::hardware>(offered));
+    environment.provide(callback<&Offered::hardware>(offered));
   });
   bench.cable.run_for(100ms);
   EXPECT_EQ(bench.ask("40 21 60 00 00 00 00 00"), "4F 21 60 00 8F 00 00 00") << "(8Fh - 100) / 2";

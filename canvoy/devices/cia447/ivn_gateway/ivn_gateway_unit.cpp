@@ -34,7 +34,7 @@ IvnGatewayUnit::IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware,
       pulses_({.per_rotation = settings.pulses_per_rotation,
                .circumference_m = settings.wheel_circumference_m,
                .count_max = settings.pulse_counter_max}),
-      timer_(Callback<void(Time)>::to<&IvnGatewayUnit::look>(*this)) {
+      timer_(callback<&IvnGatewayUnit::look>(*this)) {
   network.node().attach(service_);
 }
 

@@ -41,24 +41,22 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       settings_(settings),
       lss_(network.node()),
       scan_(network.node(), lss_, scanned_, fastscan_options),
-      scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
-      objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
-      wake_up_timer_(Callback<void(Time)>::to<&CarMaster::wake_up_unheard>(*this)),
+      scan_timer_(callback<&CarMaster::look>(*this)),
+      objection_timer_(callback<&CarMaster::nobody_objected>(*this)),
+      wake_up_timer_(callback<&CarMaster::wake_up_unheard>(*this)),
       client_(network.node()) {
   if (memory_.load) known_ = memory_.load();
   network.node().attach(service_);
-  next_heard_ =
-      network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarMaster::heard>(*this));
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CarMaster::lost>(*this));
-  sleep.on_change(Callback<void(SleepState)>::to<&CarMaster::sleep_changed>(*this));
+  next_heard_ = network.on_heard(callback<&CarMaster::heard>(*this));
+  next_lost_ = network.on_lost(callback<&CarMaster::lost>(*this));
+  sleep.on_change(callback<&CarMaster::sleep_changed>(*this));
   scan_.on_choose(LssScan::Choose::to<&CarMaster::choose>(*this));
   scan_.on_found(LssScan::Report::to<&CarMaster::found>(*this));
   const auto came = Callback<void(const Frame&, Time)>::to<&CarMaster::sleep_message>(*this);
   for (NodeId node = first_add_on; node <= node_id_max; ++node) {
     network.node().router().add(static_cast<std::uint16_t>(sleep_can_id(node)), came);
   }
-  network.node().router().add(can_id::nmt,
-                              Callback<void(const Frame&, Time)>::to<&CarMaster::commanded>(*this));
+  network.node().router().add(can_id::nmt, callback<&CarMaster::commanded>(*this));
 }
 
 void CarMaster::reset(ResetScope) {

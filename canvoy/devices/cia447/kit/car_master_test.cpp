@@ -22,8 +22,7 @@ struct AddOn {
         lss(device.node()) {
     device.node().dictionary().set_number(0x1018, 4, serial);
     serial_number = serial;
-    keep =
-        device.node().on_defaults_restored(Callback<void(ResetScope)>::to<&AddOn::restored>(*this));
+    keep = device.node().on_defaults_restored(callback<&AddOn::restored>(*this));
     cable.connect(place, device.node());
   }
   void restored(ResetScope scope) {
@@ -44,8 +43,7 @@ struct AnswersAlways {
 
   AnswersAlways(Cable& cable, std::size_t place)
       : device(only_unit<BlueLightKind>, cable.port(place), 9, environment) {
-    device.node().router().add(0x7E5,
-                               Callback<void(const Frame&, Time)>::to<&AnswersAlways::ask>(*this));
+    device.node().router().add(0x7E5, callback<&AnswersAlways::ask>(*this));
     cable.connect(place, device.node());
   }
   /// CiA 305: Fastscan (51h), switch state (04h), inquire identity (5Ah to 5Dh), node-ID (11h).
@@ -85,7 +83,7 @@ struct AnswersAlways {
 class Gateway : public testing::Test {
  protected:
   Gateway() {
-    master.on_event(Callback<void(const CarEvent&)>::to<&Gateway::happened>(*this));
+    master.on_event(callback<&Gateway::happened>(*this));
     cable.connect(0, device.node());
   }
   void happened(const CarEvent& event) { events.push_back(event); }

@@ -39,11 +39,10 @@ constexpr ServiceHandlers CarNetwork::service_calls = {.hooks = {&hook_calls, 1}
 CarNetwork::CarNetwork(Node& node, const CarNetworkSettings& settings)
     : node_(node),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&CarNetwork::look>(*this)),
-      gaps_(node, Callback<void(NodeId)>::to<&CarNetwork::missed>(*this), rhythms_) {
+      timer_(callback<&CarNetwork::look>(*this)),
+      gaps_(node, callback<&CarNetwork::missed>(*this), rhythms_) {
   node.attach(service_);
-  next_restored_ = node.on_defaults_restored(
-      Callback<void(ResetScope)>::to<&CarNetwork::defaults_restored>(*this));
+  next_restored_ = node.on_defaults_restored(callback<&CarNetwork::defaults_restored>(*this));
   const auto heard = Callback<void(const Frame&, Time)>::to<&CarNetwork::error_control_came>(*this);
   for (unsigned other = 1; other <= node_id_max; ++other) {
     node.router().add(static_cast<std::uint16_t>(error_control + other), heard);

@@ -6,7 +6,7 @@ CarSleep::CarSleep(CarNetwork& network, MutedPort& port, const CarSleepSettings&
     : network_(network),
       port_(port),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&CarSleep::expired>(*this)) {
+      timer_(callback<&CarSleep::expired>(*this)) {
   const auto came = Callback<void(const Frame&, Time)>::to<&CarSleep::received>(*this);
   for (unsigned node = 0; node <= node_id_max; ++node) {
     network.node().router().add(static_cast<std::uint16_t>(sleep_can_id(node)), came);

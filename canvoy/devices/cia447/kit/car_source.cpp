@@ -20,10 +20,9 @@ CarSource::CarSource(CarNetwork& network, const Settings& settings)
       settings_(settings),
       client_(network.node(), mesh_channel_to(0)),
       mapping_(mapping_of_pdo(settings.pdo_number)) {
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CarSource::node_lost>(*this));
-  next_gap_ = network.on_gap(Callback<void(NodeId)>::to<&CarSource::missed>(*this));
-  next_heard_ =
-      network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarSource::node_heard>(*this));
+  next_lost_ = network.on_lost(callback<&CarSource::node_lost>(*this));
+  next_gap_ = network.on_gap(callback<&CarSource::missed>(*this));
+  next_heard_ = network.on_heard(callback<&CarSource::node_heard>(*this));
   network.node().attach(service_);
 }
 

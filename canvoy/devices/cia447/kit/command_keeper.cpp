@@ -12,8 +12,8 @@ CommandKeeper::CommandKeeper(CarNetwork& network, const CommandKeeperSettings& s
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.server)),
-      timer_(Callback<void(Time)>::to<&CommandKeeper::go_on>(*this)) {
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CommandKeeper::lost>(*this));
+      timer_(callback<&CommandKeeper::go_on>(*this)) {
+  next_lost_ = network.on_lost(callback<&CommandKeeper::lost>(*this));
   network.node().attach(service_);
 }
 

@@ -43,10 +43,9 @@ class Keeper : public testing::Test {
   }
 
   std::optional<CommandKeeper> keeper_;
-  CarBench bench{
-      only_unit<BlueLightKind>, [this](Environment& environment) {
-        environment.watch(Callback<void(CarNetwork&, Node&)>::to<&Keeper::network>(*this));
-      }};
+  CarBench bench{only_unit<BlueLightKind>, [this](Environment& environment) {
+                   environment.watch(callback<&Keeper::network>(*this));
+                 }};
   Cable& cable = bench.cable;
 
   static constexpr KeptCommand on = {0x6130, 1, 0xFFFF'FFFD, 4};

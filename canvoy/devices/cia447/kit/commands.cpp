@@ -116,10 +116,8 @@ Commands::Commands(CarNetwork& network, std::span<const ObjectInfo* const> wante
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Hook& hook = hooks_[i];
     hook.first = hook.last = wanted[i]->index;
-    hook.before_write =
-        Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&Commands::check>(
-            *this);
-    hook.after_write = Callback<void(const Entry&, Source)>::to<&Commands::written>(*this);
+    hook.before_write = callback<&Commands::check>(*this);
+    hook.after_write = callback<&Commands::written>(*this);
     network.node().dictionary().attach(hook);
   }
 }

@@ -8,7 +8,7 @@ ObjectReader::ObjectReader(CarNetwork& network, const Settings& settings)
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.server)),
-      timer_(Callback<void(Time)>::to<&ObjectReader::begin>(*this)) {
+      timer_(callback<&ObjectReader::begin>(*this)) {
   if (settings.server == 0) return;
   network.node().attach(service_);
 }

@@ -12,8 +12,7 @@ ProvidedObjects::ProvidedObjects(CarNetwork& network, const Settings& settings)
   for (std::size_t i = 0; i < settings.objects.size(); ++i) {
     Hook& hook = hooks_[i];
     hook.first = hook.last = settings.objects[i]->index;
-    hook.before_write = Callback<AbortCode(
-        const Entry&, std::span<const std::uint8_t>)>::to<&ProvidedObjects::asked>(*this);
+    hook.before_write = callback<&ProvidedObjects::asked>(*this);
     network.node().dictionary().attach(hook);
   }
 }

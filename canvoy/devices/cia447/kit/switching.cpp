@@ -29,9 +29,8 @@ Switching::Switching(CarNetwork& network, const SwitchedTable& table, std::span<
       fields_(fields),
       hardware_(hardware),
       commands_(network, table.commands,
-                {.commanded = Callback<void(const Commanded&)>::to<&Switching::commanded>(*this),
-                 .lacking = settings.lacking}),
-      timer_(Callback<void(Time)>::to<&Switching::advance>(*this)) {
+                {.commanded = callback<&Switching::commanded>(*this), .lacking = settings.lacking}),
+      timer_(callback<&Switching::advance>(*this)) {
   std::size_t count = 0;
   each_status(table, [&](const FieldPlace& place) {
     check_invariant(count < fields_.size());

@@ -50,8 +50,8 @@ NavigationClient::NavigationClient(CarNetwork& network, const NavigationClientSe
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.navigation)),
-      timer_(Callback<void(Time)>::to<&NavigationClient::begin>(*this)) {
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&NavigationClient::lost>(*this));
+      timer_(callback<&NavigationClient::begin>(*this)) {
+  next_lost_ = network.on_lost(callback<&NavigationClient::lost>(*this));
   network.node().attach(service_);
 }
 

@@ -72,19 +72,14 @@ class ClientOfSystem : public testing::Test {
     answer("4B C2 60 02 42 32 00 00");
   }
   void changed() { ++changes; }
-  ChangedHardware hardware() {
-    return {.changed = Callback<void()>::to<&ClientOfSystem::changed>(*this)};
-  }
-  void made(ClientOfNavigation& client, Node& /*node*/) { client_ = &client; }
+  ChangedHardware hardware() { return {.changed = callback<&ClientOfSystem::changed>(*this)}; }
 
   unsigned changes = 0;
   ClientOfNavigation* client_ = nullptr;
-  CarBench bench{
-      only_unit<NavigationClientKind>, [this](Environment& environment) {
-        environment.provide(Callback<ChangedHardware()>::to<&ClientOfSystem::hardware>(*this));
-        environment.watch(
-            Callback<void(ClientOfNavigation&, Node&)>::to<&ClientOfSystem::made>(*this));
-      }};
+  CarBench bench{only_unit<NavigationClientKind>, [this](Environment& environment) {
+                   environment.provide(callback<&ClientOfSystem::hardware>(*this));
+                   environment.watch(client_);
+                 }};
   Cable& cable = bench.cable;
 };
 

@@ -34,13 +34,12 @@ NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& ha
       settings_(settings),
       values_(network.node().dictionary()),
       gps_(network, {.pdo_number = position_pdo,
-                     .lost = Callback<void()>::to<&NavigationUnit::position_lost>(*this),
-                     .read = Callback<void()>::to<&NavigationUnit::follow>(*this)}),
-      commands_(
-          network, navigation_commands,
-          {.commanded = Callback<void(const Commanded&)>::to<&NavigationUnit::commanded>(*this),
-           .refuses = Callback<AbortCode(const Commanded&)>::to<&NavigationUnit::refuses>(*this)}),
-      timer_(Callback<void(Time)>::to<&NavigationUnit::look>(*this)) {
+                     .lost = callback<&NavigationUnit::position_lost>(*this),
+                     .read = callback<&NavigationUnit::follow>(*this)}),
+      commands_(network, navigation_commands,
+                {.commanded = callback<&NavigationUnit::commanded>(*this),
+                 .refuses = callback<&NavigationUnit::refuses>(*this)}),
+      timer_(callback<&NavigationUnit::look>(*this)) {
   network.node().attach(service_);
 }
 

@@ -28,10 +28,8 @@ class Navigation : public testing::Test {
     guided.push_back(destination == nullptr ? GeoPosition{} : *destination);
   }
   NavigationHardware hardware() {
-    return {.guide = Callback<void(const GeoPosition*)>::to<&Navigation::guide>(*this),
-            .gazetteer = Gazetteer(places)};
+    return {.guide = callback<&Navigation::guide>(*this), .gazetteer = Gazetteer(places)};
   }
-  void made(NavigationUnit& made, Node& /*node*/) { unit = &made; }
 
   std::string ask(const std::string& place) {
     const std::string answer = bench.ask("40 " + place + " 00 00 00 00");
@@ -53,11 +51,10 @@ class Navigation : public testing::Test {
 
   std::vector<GeoPosition> guided;
   NavigationUnit* unit = nullptr;
-  CarBench bench{
-      only_unit<NavigationKind>, [this](Environment& environment) {
-        environment.provide(Callback<NavigationHardware()>::to<&Navigation::hardware>(*this));
-        environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Navigation::made>(*this));
-      }};
+  CarBench bench{only_unit<NavigationKind>, [this](Environment& environment) {
+                   environment.provide(callback<&Navigation::hardware>(*this));
+                   environment.watch(unit);
+                 }};
 };
 
 constexpr const char* no_destination = "FD FF 00 00";
@@ -341,19 +338,17 @@ struct Receiver {
     return metres_between(from, to) * 1.5;
   }
   NavigationHardware hardware() {
-    return {.position = Callback<std::optional<GeoPosition>()>::to<&Receiver::position>(*this),
-            .road = Callback<double(const GeoPosition&, const GeoPosition&)>::to<&Receiver::road>(
-                *this)};
+    return {.position = callback<&Receiver::position>(*this),
+            .road = callback<&Receiver::road>(*this)};
   }
-  void made(NavigationUnit& made, Node& /*node*/) { unit = &made; }
   NavigationUnit* unit = nullptr;
 };
 
 TEST(NavigationWithItsOwnReceiver, NeedsNoGpsAndKnowsTheRoads) {
   Receiver receiver;
   CarBench bench(only_unit<NavigationKind>, [&](Environment& environment) {
-    environment.provide(Callback<NavigationHardware()>::to<&Receiver::hardware>(receiver));
-    environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Receiver::made>(receiver));
+    environment.provide(callback<&Receiver::hardware>(receiver));
+    environment.watch(receiver.unit);
   });
   receiver.unit->select({48.1, 11});
   EXPECT_EQ(bench.ask("40 C0 60 00 00 00 00 00"), "4B C0 60 00 A7 00 00 00") << "16.68 km";
@@ -364,8 +359,7 @@ TEST(NavigationWithItsOwnReceiver, NeedsNoGpsAndKnowsTheRoads) {
 
 struct Antenna {
   GpsReading read() { return {.fix = GpsFix::fix_3d, .latitude = 48.1, .longitude = 11.0}; }
-  GpsHardware hardware() { return {.read = Callback<GpsReading()>::to<&Antenna::read>(*this)}; }
-  void made(NavigationUnit& made, Node& /*node*/) { unit = &made; }
+  GpsHardware hardware() { return {.read = callback<&Antenna::read>(*this)}; }
   NavigationUnit* unit = nullptr;
 };
 
@@ -373,8 +367,8 @@ TEST(NavigationWithGpsInOneDevice, KnowsThePositionWithoutAFrame) {
   Antenna antenna;
   constexpr const CarUnit* both[] = {&car_unit<GpsKind>, &car_unit<NavigationKind>};
   CarBench bench(both, [&](Environment& environment) {
-    environment.provide(Callback<GpsHardware()>::to<&Antenna::hardware>(antenna));
-    environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Antenna::made>(antenna));
+    environment.provide(callback<&Antenna::hardware>(antenna));
+    environment.watch(antenna.unit);
   });
   antenna.unit->select({48, 11});
   EXPECT_EQ(bench.ask("40 C0 60 00 00 00 00 00"), "4B C0 60 00 6F 00 00 00");

@@ -40,18 +40,16 @@ PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware&
       hardware_(hardware),
       lines_{Line{.after_run = settings.radio_after_run},
              Line{.after_run = settings.periphery_after_run}},
-      statuses_(network,
-                {.drive = Callback<bool(const Commanded&)>::to<&PowerSupplyUnit::commanded>(*this)},
+      statuses_(network, {.drive = callback<&PowerSupplyUnit::commanded>(*this)},
                 settings.switched),
       ignition_(network, {.pdo_number = ignition_pdo,
-                          .lost = Callback<void()>::to<&PowerSupplyUnit::ignition_lost>(*this)}),
+                          .lost = callback<&PowerSupplyUnit::ignition_lost>(*this)}),
       // Its PDO is sent when the key is turned, and this device may have missed it.
-      reader_(network,
-              {.server = gateway_node_id,
-               .indices = asked_for,
-               .period = 10s,
-               .came = Callback<void(std::uint16_t)>::to<&PowerSupplyUnit::ignition_read>(*this)}),
-      timer_(Callback<void(Time)>::to<&PowerSupplyUnit::look>(*this)) {
+      reader_(network, {.server = gateway_node_id,
+                        .indices = asked_for,
+                        .period = 10s,
+                        .came = callback<&PowerSupplyUnit::ignition_read>(*this)}),
+      timer_(callback<&PowerSupplyUnit::look>(*this)) {
   network.node().attach(service_);
 }
 

@@ -18,17 +18,16 @@ class PowerSupply : public testing::Test {
   }
   std::string status() { return cable.last(0x39D); }
   void provide(Environment& environment) {
-    environment.watch(Callback<void(PowerSupplyUnit&, Node&)>::to<&PowerSupply::made>(*this));
-    environment.provide(Callback<PowerSupplyHardware()>::to<&PowerSupply::hardware>(*this));
+    environment.watch(unit_);
+    environment.provide(callback<&PowerSupply::hardware>(*this));
   }
   PowerSupplyHardware hardware() {
-    return {.switch_power = Callback<void(Supply, bool)>::to<&PowerSupply::switched>(*this)};
+    return {.switch_power = callback<&PowerSupply::switched>(*this)};
   }
   void switched(Supply supply, bool is_on) {
     told += supply == Supply::radio ? 'r' : 'p';
     told += is_on ? '+' : '-';
   }
-  void made(PowerSupplyUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   std::string told;
   PowerSupplyUnit* unit_ = nullptr;

@@ -36,11 +36,11 @@ struct Paper {
   void cut() { done += "| "; }
 
   PrinterPaper paper() {
-    return {.put = Callback<void(const PrintedCharacter&)>::to<&Paper::put>(*this),
-            .width = Callback<unsigned(char32_t, const PrintStyle&)>::to<&Paper::width>(*this),
-            .put_row = Callback<void(std::span<const PrintColor>)>::to<&Paper::put_row>(*this),
-            .feed = Callback<void(unsigned)>::to<&Paper::feed>(*this),
-            .cut = Callback<void()>::to<&Paper::cut>(*this)};
+    return {.put = callback<&Paper::put>(*this),
+            .width = callback<&Paper::width>(*this),
+            .put_row = callback<&Paper::put_row>(*this),
+            .feed = callback<&Paper::feed>(*this),
+            .cut = callback<&Paper::cut>(*this)};
   }
   std::string take() { return std::exchange(done, ""); }
 };

@@ -25,18 +25,14 @@ PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
                                .logos = settings.logos}),
       font_(settings.font),
       commands_(network, commands_of_printer,
-                {.commanded = Callback<void(const Commanded&)>::to<&PrinterUnit::commanded>(*this),
-                 .refuses = Callback<AbortCode(const Commanded&)>::to<&PrinterUnit::refuses>(*this),
+                {.commanded = callback<&PrinterUnit::commanded>(*this),
+                 .refuses = callback<&PrinterUnit::refuses>(*this),
                  .lacking = (list_lacking(), std::span(lacking_).first(lacking_count_))}),
-      timer_(Callback<void(Time)>::to<&PrinterUnit::finished>(*this)) {
-  domain_.open_read =
-      Callback<Result<std::uint32_t>(const Entry&)>::to<&PrinterUnit::read_back>(*this);
-  domain_.open_write =
-      Callback<AbortCode(const Entry&, std::uint32_t)>::to<&PrinterUnit::open>(*this);
-  domain_.write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&PrinterUnit::write>(
-          *this);
-  domain_.close_write = Callback<AbortCode(const Entry&, bool)>::to<&PrinterUnit::close>(*this);
+      timer_(callback<&PrinterUnit::finished>(*this)) {
+  domain_.open_read = callback<&PrinterUnit::read_back>(*this);
+  domain_.open_write = callback<&PrinterUnit::open>(*this);
+  domain_.write = callback<&PrinterUnit::write>(*this);
+  domain_.close_write = callback<&PrinterUnit::close>(*this);
   transport_hook_.first = transport_hook_.last = printer_transport_object.index;
   transport_hook_.domain = &domain_;
   network.node().dictionary().attach(transport_hook_);

@@ -24,9 +24,9 @@ class PrinterBench {
  public:
   explicit PrinterBench(const PrinterSettings& settings)
       : settings_(settings), bench(only_unit<PrinterKind>, [this](Environment& environment) {
-          environment.provide(Callback<PrinterHardware()>::to<&PrinterBench::hardware>(*this));
-          environment.provide(Callback<PrinterSettings()>::to<&PrinterBench::settings>(*this));
-          environment.watch(Callback<void(PrinterUnit&, Node&)>::to<&PrinterBench::made>(*this));
+          environment.provide(callback<&PrinterBench::hardware>(*this));
+          environment.provide(callback<&PrinterBench::settings>(*this));
+          environment.watch(unit_);
         }) {}
 
   PrinterUnit& unit() { return *unit_; }
@@ -97,15 +97,12 @@ class PrinterBench {
   void feed(unsigned dots) { done += "+" + std::to_string(dots) + " "; }
   void cut() { done += "| "; }
   PrinterHardware hardware() {
-    return {.paper = {
-                .put = Callback<void(const PrintedCharacter&)>::to<&PrinterBench::put>(*this),
-                .put_row =
-                    Callback<void(std::span<const PrintColor>)>::to<&PrinterBench::put_row>(*this),
-                .feed = Callback<void(unsigned)>::to<&PrinterBench::feed>(*this),
-                .cut = Callback<void()>::to<&PrinterBench::cut>(*this)}};
+    return {.paper = {.put = callback<&PrinterBench::put>(*this),
+                      .put_row = callback<&PrinterBench::put_row>(*this),
+                      .feed = callback<&PrinterBench::feed>(*this),
+                      .cut = callback<&PrinterBench::cut>(*this)}};
   }
   PrinterSettings settings() { return settings_; }
-  void made(PrinterUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   PrinterSettings settings_;
   PrinterUnit* unit_ = nullptr;

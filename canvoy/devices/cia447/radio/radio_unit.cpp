@@ -20,13 +20,12 @@ RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
     : network_(network),
       hardware_(hardware),
       unit_(network,
-            {.drive = Callback<bool(const Commanded&)>::to<&RadioUnit::commanded>(*this),
-             .became =
-                 Callback<void(const FieldPlace&, std::uint32_t)>::to<&RadioUnit::became>(*this)},
+            {.drive = callback<&RadioUnit::commanded>(*this),
+             .became = callback<&RadioUnit::became>(*this)},
             settings),
       supply_(network, {.pdo_number = power_supply_pdo,
-                        .lost = Callback<void()>::to<&RadioUnit::supply_lost>(*this),
-                        .read = Callback<void()>::to<&RadioUnit::look_at_supply>(*this)}) {
+                        .lost = callback<&RadioUnit::supply_lost>(*this),
+                        .read = callback<&RadioUnit::look_at_supply>(*this)}) {
   network.node().attach(service_);
 }
 

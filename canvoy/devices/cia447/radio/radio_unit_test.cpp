@@ -18,10 +18,7 @@ class Radio : public testing::Test {
     command("FD");
     cable.run_for(1s);
   }
-  void provide(Environment& environment) {
-    environment.watch(Callback<void(RadioUnit&, Node&)>::to<&Radio::made>(*this));
-  }
-  void made(RadioUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void provide(Environment& environment) { environment.watch(unit_); }
 
   RadioUnit* unit_ = nullptr;
   CarBench bench{only_unit<RadioKind>, [this](Environment& environment) { provide(environment); }};

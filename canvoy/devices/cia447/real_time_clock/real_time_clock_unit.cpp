@@ -62,7 +62,7 @@ RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHar
       hardware_(hardware),
       settings_(settings),
       commands_(network, set_commands, {}),
-      tick_(Callback<void(Time)>::to<&RealTimeClockUnit::tick>(*this)) {
+      tick_(callback<&RealTimeClockUnit::tick>(*this)) {
   network.node().attach(service_);
 }
 

@@ -25,10 +25,9 @@ class ClockBench {
                       std::optional<ChipTime> kept = std::nullopt)
       : settings(wanted), chip(kept) {
     bench.emplace(only_unit<RealTimeClockKind>, [this](Environment& environment) {
-      environment.provide(
-          Callback<RealTimeClockSettings()>::to<&ClockBench::offered_settings>(*this));
-      environment.provide(Callback<RealTimeClockHardware()>::to<&ClockBench::hardware>(*this));
-      environment.watch(Callback<void(RealTimeClockUnit&, Node&)>::to<&ClockBench::made>(*this));
+      environment.provide(callback<&ClockBench::offered_settings>(*this));
+      environment.provide(callback<&ClockBench::hardware>(*this));
+      environment.watch(unit);
     });
   }
   ClockBench(const ClockBench&) = delete;
@@ -53,10 +52,9 @@ class ClockBench {
  private:
   RealTimeClockSettings offered_settings() { return settings; }
   RealTimeClockHardware hardware() {
-    return {.read = Callback<std::optional<ChipTime>()>::to<&ClockBench::read>(*this),
-            .write = Callback<void(const ChipTime&)>::to<&ClockBench::write>(*this)};
+    return {.read = callback<&ClockBench::read>(*this),
+            .write = callback<&ClockBench::write>(*this)};
   }
-  void made(RealTimeClockUnit& made_unit, Node& /*node*/) { unit = &made_unit; }
   std::optional<ChipTime> read() { return chip; }
   void write(const ChipTime& time) { was_written = time; }
 };

@@ -21,14 +21,12 @@ RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardwa
     : network_(network),
       hardware_(hardware),
       settings_(settings),
-      unit_(network,
-            {.drive = hardware.switched.drive,
-             .became =
-                 Callback<void(const FieldPlace&, std::uint32_t)>::to<&RoofBarSoundUnit::became>(
-                     *this)},
-            settings.switched),
+      unit_(
+          network,
+          {.drive = hardware.switched.drive, .became = callback<&RoofBarSoundUnit::became>(*this)},
+          settings.switched),
       speed_(network, {.pdo_number = wheel_pdo_number,
-                       .lost = Callback<void()>::to<&RoofBarSoundUnit::speed_lost>(*this)}) {
+                       .lost = callback<&RoofBarSoundUnit::speed_lost>(*this)}) {
   network.node().attach(service_);
 }
 

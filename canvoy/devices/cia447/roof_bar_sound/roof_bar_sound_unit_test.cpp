@@ -23,14 +23,11 @@ class RoofBarSoundTest : public testing::Test {
   void settle() { cable.run_for(50ms); }
 
   void provide(Environment& environment) {
-    environment.watch(Callback<void(RoofBarSoundUnit&, Node&)>::to<&RoofBarSoundTest::made>(*this));
-    environment.provide(Callback<RoofBarSoundHardware()>::to<&RoofBarSoundTest::hardware>(*this));
+    environment.watch(unit_);
+    environment.provide(callback<&RoofBarSoundTest::hardware>(*this));
   }
-  RoofBarSoundHardware hardware() {
-    return {.play = Callback<void(const RoofBarSound&)>::to<&RoofBarSoundTest::play>(*this)};
-  }
+  RoofBarSoundHardware hardware() { return {.play = callback<&RoofBarSoundTest::play>(*this)}; }
   void play(const RoofBarSound& sound) { heard.push_back(sound); }
-  void made(RoofBarSoundUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   std::vector<RoofBarSound> heard;
   RoofBarSoundUnit* unit_ = nullptr;

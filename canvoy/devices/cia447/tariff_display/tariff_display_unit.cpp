@@ -62,12 +62,11 @@ TariffDisplayUnit::TariffDisplayUnit(CarNetwork& network, const TariffDisplayHar
     : network_(network),
       hardware_(hardware),
       settings_(settings),
-      commands_(
-          network, display_commands,
-          {.commanded = Callback<void(const Commanded&)>::to<&TariffDisplayUnit::commanded>(*this),
-           .refuses = Callback<AbortCode(const Commanded&)>::to<&TariffDisplayUnit::refuses>(*this),
-           .lacking = std::span(command_places)
-                          .subspan(std::clamp(settings.lamps, 1U, tariff_lamps_max))}) {
+      commands_(network, display_commands,
+                {.commanded = callback<&TariffDisplayUnit::commanded>(*this),
+                 .refuses = callback<&TariffDisplayUnit::refuses>(*this),
+                 .lacking = std::span(command_places)
+                                .subspan(std::clamp(settings.lamps, 1U, tariff_lamps_max))}) {
   settings_.lamps = std::clamp(settings.lamps, 1U, tariff_lamps_max);
   network.node().attach(service_);
 }

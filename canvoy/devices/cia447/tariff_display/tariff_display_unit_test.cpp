@@ -21,9 +21,9 @@ class DisplayBench {
  public:
   explicit DisplayBench(const TariffDisplaySettings& wanted = {.lamps = 16}) : settings(wanted) {
     bench.emplace(only_unit<TariffDisplayKind>, [this](Environment& environment) {
-      environment.provide(Callback<TariffDisplaySettings()>::to<&DisplayBench::offered>(*this));
-      environment.provide(Callback<TariffDisplayHardware()>::to<&DisplayBench::hardware>(*this));
-      environment.watch(Callback<void(TariffDisplayUnit&, Node&)>::to<&DisplayBench::made>(*this));
+      environment.provide(callback<&DisplayBench::offered>(*this));
+      environment.provide(callback<&DisplayBench::hardware>(*this));
+      environment.watch(unit);
     });
   }
   DisplayBench(const DisplayBench&) = delete;
@@ -49,10 +49,7 @@ class DisplayBench {
 
  private:
   TariffDisplaySettings offered() { return settings; }
-  TariffDisplayHardware hardware() {
-    return {.drive = Callback<void(unsigned, Lamp)>::to<&DisplayBench::drive>(*this)};
-  }
-  void made(TariffDisplayUnit& made_unit, Node& /*node*/) { unit = &made_unit; }
+  TariffDisplayHardware hardware() { return {.drive = callback<&DisplayBench::drive>(*this)}; }
   void drive(unsigned lamp, Lamp wanted) { driven.emplace_back(lamp, wanted); }
 };
 

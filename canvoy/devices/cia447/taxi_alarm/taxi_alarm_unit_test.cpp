@@ -16,9 +16,9 @@ class AlarmBench {
  public:
   explicit AlarmBench(const TaxiAlarmSettings& wanted = {}) : settings(wanted) {
     bench.emplace(only_unit<TaxiAlarmKind>, [this](Environment& environment) {
-      environment.provide(Callback<TaxiAlarmSettings()>::to<&AlarmBench::offered>(*this));
-      environment.provide(Callback<TaxiAlarmHardware()>::to<&AlarmBench::hardware>(*this));
-      environment.watch(Callback<void(TaxiAlarmUnit&, Node&)>::to<&AlarmBench::made>(*this));
+      environment.provide(callback<&AlarmBench::offered>(*this));
+      environment.provide(callback<&AlarmBench::hardware>(*this));
+      environment.watch(unit);
     });
   }
   AlarmBench(const AlarmBench&) = delete;
@@ -37,10 +37,7 @@ class AlarmBench {
 
  private:
   TaxiAlarmSettings offered() { return settings; }
-  TaxiAlarmHardware hardware() {
-    return {.alarm = Callback<void(bool, bool)>::to<&AlarmBench::alarm>(*this)};
-  }
-  void made(TaxiAlarmUnit& made_unit, Node& /*node*/) { unit = &made_unit; }
+  TaxiAlarmHardware hardware() { return {.alarm = callback<&AlarmBench::alarm>(*this)}; }
   void alarm(bool silent, bool full) {
     is_silent = silent;
     is_full = full;

@@ -26,9 +26,9 @@ class MeterBench {
                       std::optional<std::int64_t> local = noon)
       : settings(wanted), memory(flash), local_at_start(local) {
     bench.emplace(only_unit<TaximeterKind>, [this](Environment& environment) {
-      environment.provide(Callback<TaximeterSettings()>::to<&MeterBench::offered_settings>(*this));
-      environment.provide(Callback<TaximeterHardware()>::to<&MeterBench::hardware>(*this));
-      environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&MeterBench::made>(*this));
+      environment.provide(callback<&MeterBench::offered_settings>(*this));
+      environment.provide(callback<&MeterBench::hardware>(*this));
+      environment.watch(callback<&MeterBench::made>(*this));
     });
   }
   MeterBench(const MeterBench&) = delete;
@@ -98,10 +98,10 @@ class MeterBench {
  private:
   TaximeterSettings offered_settings() { return settings; }
   TaximeterHardware hardware() {
-    return {.clock = Callback<std::optional<LocalTime>()>::to<&MeterBench::clock>(*this),
-            .seal_is_open = Callback<bool()>::to<&MeterBench::seal>(*this),
-            .show = Callback<void(const TaximeterDisplay&)>::to<&MeterBench::show>(*this),
-            .turned_off = Callback<void()>::to<&MeterBench::turned_off>(*this),
+    return {.clock = callback<&MeterBench::clock>(*this),
+            .seal_is_open = callback<&MeterBench::seal>(*this),
+            .show = callback<&MeterBench::show>(*this),
+            .turned_off = callback<&MeterBench::turned_off>(*this),
             .flash = memory == nullptr ? nullptr : &memory->flash};
   }
   void made(TaximeterUnit& unit, Node& node) {

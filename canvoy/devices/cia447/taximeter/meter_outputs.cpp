@@ -30,8 +30,8 @@ MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
       settings_(settings),
       printer_(network.node(), mesh_channel_to(settings.printer)),
       sign_(network.node(), mesh_channel_to(settings.sign)),
-      timer_(Callback<void(Time)>::to<&MeterOutputs::go_on>(*this)) {
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&MeterOutputs::lost>(*this));
+      timer_(callback<&MeterOutputs::go_on>(*this)) {
+  next_lost_ = network.on_lost(callback<&MeterOutputs::lost>(*this));
   network.node().attach(service_);
 }
 

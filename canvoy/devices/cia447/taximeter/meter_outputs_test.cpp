@@ -18,7 +18,7 @@ class Outputs {
  public:
   explicit Outputs(const MeterOutputs::Settings& wanted)
       : settings(wanted), bench(only_unit<PrinterKind>, [this](Environment& environment) {
-          environment.watch(Callback<void(CarNetwork&, Node&)>::to<&Outputs::made>(*this));
+          environment.watch(callback<&Outputs::made>(*this));
         }) {
     bench.cable.run_for(100ms);
     bench.cable.clear();

@@ -20,14 +20,14 @@ constexpr TimeZone berlin = {.name = "CET", .offset_minutes = 60, .summer = euro
 class TaxiOnCable : public testing::Test {
  protected:
   TaxiOnCable() {
-    environment.provide(Callback<CarHardware()>::to<&TaxiOnCable::car_hardware>(*this));
+    environment.provide(callback<&TaxiOnCable::car_hardware>(*this));
     environment.provide(Callback<CarSettings()>([](void*) { return car_settings; }, nullptr));
     environment.provide(
         Callback<TaximeterSettings()>([](void*) { return meter_settings; }, nullptr));
     environment.provide(Callback<RealTimeClockSettings()>(
         [](void*) { return RealTimeClockSettings{.zone = berlin}; }, nullptr));
-    environment.provide(Callback<RealTimeClockHardware()>::to<&TaxiOnCable::clock_hardware>(*this));
-    environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&TaxiOnCable::has_meter>(*this));
+    environment.provide(callback<&TaxiOnCable::clock_hardware>(*this));
+    environment.watch(meter);
     gateway.emplace(only_unit<IvnGatewayKind>, cable.port(0), 1, environment);
     clock.emplace(only_unit<RealTimeClockKind>, cable.port(1), 7, environment);
     meter_device.emplace(only_unit<TaximeterKind>, cable.port(2), 5, environment);
@@ -69,10 +69,7 @@ class TaxiOnCable : public testing::Test {
     car.distance = Sensor::to<&TaxiOnCable::sensed_distance>(*this);
     return car;
   }
-  RealTimeClockHardware clock_hardware() {
-    return {.read = Callback<std::optional<ChipTime>()>::to<&TaxiOnCable::chip>(*this)};
-  }
-  void has_meter(TaximeterUnit& unit, Node& /*node*/) { meter = &unit; }
+  RealTimeClockHardware clock_hardware() { return {.read = callback<&TaxiOnCable::chip>(*this)}; }
   std::optional<double> sensed_speed() { return speed; }
   std::optional<double> sensed_distance() { return metres; }
   /// 2026-11-23 21:00:00 in Berlin at the start.
@@ -135,11 +132,8 @@ TEST(TaximeterWithAClockInside, GoesByIt) {
                                              &car_unit<RealTimeClockKind>};
   struct Watcher {
     TaximeterUnit* meter = nullptr;
-    void made(TaximeterUnit& unit, Node& /*node*/) { meter = &unit; }
   } watcher;
-  CarBench bench(units, [&watcher](Environment& environment) {
-    environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&Watcher::made>(watcher));
-  });
+  CarBench bench(units, [&watcher](Environment& environment) { environment.watch(watcher.meter); });
   // Tuesday 2026-11-24, 21:59:00.
   EXPECT_EQ(bench.ask("23 F1 60 00 EA 07 8B F1"), "60 F1 60 00 00 00 00 00");
   EXPECT_EQ(bench.ask("23 F3 60 00 15 3B 00 00"), "60 F3 60 00 00 00 00 00");

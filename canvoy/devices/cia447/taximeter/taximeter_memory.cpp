@@ -18,7 +18,7 @@ KeptImage::KeptImage(Node& node, const Flash* flash, const Place& place, const R
       pair_(is_kept_ ? *flash : no_flash,
             {.address = place.address, .slot_size = place.slot_size, .kind = place.kind}),
       room_(room),
-      timer_(Callback<void(Time)>::to<&KeptImage::go_on>(*this)) {
+      timer_(callback<&KeptImage::go_on>(*this)) {
   pair_.sign(place.kind, place.layout);
 }
 
@@ -39,9 +39,8 @@ void KeptImage::save(std::span<const std::uint8_t> bytes) {
 void KeptImage::begin(std::span<const std::uint8_t> bytes) {
   std::ranges::copy(bytes, room_.writing.begin());
   has_waiting_ = false;
-  pair_.begin({.rewind = Callback<void()>::to<&KeptImage::rewind>(*this),
-               .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&KeptImage::next>(
-                   *this)});
+  pair_.begin(
+      {.rewind = callback<&KeptImage::rewind>(*this), .next = callback<&KeptImage::next>(*this)});
   node_.timers().arm(timer_, node_.now());
 }
 

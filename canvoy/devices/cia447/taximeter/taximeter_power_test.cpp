@@ -83,9 +83,7 @@ class OldRecord {
     pair.sign(kind, 1U << 16 | TaximeterRecord::size_of_version_1);
     pair.find();
     pair.begin(
-        {.rewind = Callback<void()>::to<&OldRecord::rewind>(*this),
-         .next =
-             Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&OldRecord::next>(*this)});
+        {.rewind = callback<&OldRecord::rewind>(*this), .next = callback<&OldRecord::next>(*this)});
     while (pair.step() != RecordStep::done) {
     }
   }

@@ -54,37 +54,28 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       memory_(network.node(), hardware.flash, settings.memory),
       audit_memory_(network.node(), hardware.flash, settings.audit_memory),
       objects_(network.node()),
-      wheels_(network,
-              {.provider = settings.wheel_node,
-               .objects = provided_wheels,
-               .refused =
-                   Callback<void(const RefusedWrite&)>::to<&TaximeterUnit::write_refused>(*this)}),
-      clock_objects_(
-          network,
-          {.provider = settings.clock_node,
-           .objects = bus_clock_objects,
-           .refused = Callback<void(const RefusedWrite&)>::to<&TaximeterUnit::write_refused>(*this),
-           .check = check_of_date}),
-      wheel_reader_(
-          network,
-          {.server = settings.wheel_node,
-           .indices = wheel_objects,
-           .period = settings.asking_period,
-           .came = Callback<void(std::uint16_t)>::to<&TaximeterUnit::source_was_read>(*this)}),
-      clock_reader_(
-          network,
-          {.server = settings.clock_node,
-           .indices = clock_objects,
-           .period = settings.asking_period,
-           .came = Callback<void(std::uint16_t)>::to<&TaximeterUnit::clock_was_read>(*this)}),
+      wheels_(network, {.provider = settings.wheel_node,
+                        .objects = provided_wheels,
+                        .refused = callback<&TaximeterUnit::write_refused>(*this)}),
+      clock_objects_(network, {.provider = settings.clock_node,
+                               .objects = bus_clock_objects,
+                               .refused = callback<&TaximeterUnit::write_refused>(*this),
+                               .check = check_of_date}),
+      wheel_reader_(network, {.server = settings.wheel_node,
+                              .indices = wheel_objects,
+                              .period = settings.asking_period,
+                              .came = callback<&TaximeterUnit::source_was_read>(*this)}),
+      clock_reader_(network, {.server = settings.clock_node,
+                              .indices = clock_objects,
+                              .period = settings.asking_period,
+                              .came = callback<&TaximeterUnit::clock_was_read>(*this)}),
       tariff_(settings.tariff),
-      tick_(Callback<void(Time)>::to<&TaximeterUnit::tick>(*this)),
-      off_(Callback<void(Time)>::to<&TaximeterUnit::off>(*this)) {
+      tick_(callback<&TaximeterUnit::tick>(*this)),
+      off_(callback<&TaximeterUnit::off>(*this)) {
   network.node().attach(service_);
   sealed_parameters_.first = first_sealed;
   sealed_parameters_.last = last_sealed;
-  sealed_parameters_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&TaximeterUnit::check_settings>(*this);
+  sealed_parameters_.before_write = callback<&TaximeterUnit::check_settings>(*this);
   network.node().dictionary().attach(sealed_parameters_);
 }
 

@@ -38,7 +38,7 @@ class TripReaderWire : public testing::Test {
  protected:
   TripReaderWire()
       : bench(only_unit<PrinterKind>, [this](Environment& environment) {
-          environment.watch(Callback<void(CarNetwork&, Node&)>::to<&TripReaderWire::made>(*this));
+          environment.watch(callback<&TripReaderWire::made>(*this));
         }) {}
   ~TripReaderWire() override { reader.reset(); }  // before the bench, which it uses
 

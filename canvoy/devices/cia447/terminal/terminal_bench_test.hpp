@@ -18,9 +18,9 @@ class TerminalBench {
 
   explicit TerminalBench(const TerminalSettings& settings = {})
       : settings_(settings), bench(only_unit<TerminalKind>, [this](Environment& environment) {
-          environment.provide(Callback<TerminalHardware()>::to<&TerminalBench::hardware>(*this));
-          environment.provide(Callback<TerminalSettings()>::to<&TerminalBench::settings>(*this));
-          environment.watch(Callback<void(TerminalUnit&, Node&)>::to<&TerminalBench::made>(*this));
+          environment.provide(callback<&TerminalBench::hardware>(*this));
+          environment.provide(callback<&TerminalBench::settings>(*this));
+          environment.watch(unit_);
         }) {}
 
   TerminalUnit& unit() { return *unit_; }
@@ -64,13 +64,12 @@ class TerminalBench {
     warned += (on ? "+" : "-") + std::to_string(static_cast<unsigned>(warning)) + " ";
   }
   TerminalHardware hardware() {
-    return {.show = Callback<void(const DisplayContent&)>::to<&TerminalBench::show>(*this),
-            .show_icon = Callback<void(const ShownIcon&)>::to<&TerminalBench::show_icon>(*this),
-            .buzz = Callback<void(bool)>::to<&TerminalBench::buzz>(*this),
-            .warn = Callback<void(TerminalWarning, bool)>::to<&TerminalBench::warn>(*this)};
+    return {.show = callback<&TerminalBench::show>(*this),
+            .show_icon = callback<&TerminalBench::show_icon>(*this),
+            .buzz = callback<&TerminalBench::buzz>(*this),
+            .warn = callback<&TerminalBench::warn>(*this)};
   }
   TerminalSettings settings() { return settings_; }
-  void made(TerminalUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   TerminalSettings settings_;
   TerminalUnit* unit_ = nullptr;

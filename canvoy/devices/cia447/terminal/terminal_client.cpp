@@ -65,8 +65,8 @@ TerminalClient::TerminalClient(CarNetwork& network, const TerminalClientSettings
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.terminal)),
-      timer_(Callback<void(Time)>::to<&TerminalClient::go_on>(*this)) {
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalClient::lost>(*this));
+      timer_(callback<&TerminalClient::go_on>(*this)) {
+  next_lost_ = network.on_lost(callback<&TerminalClient::lost>(*this));
   network.node().attach(service_);
 }
 

@@ -31,8 +31,8 @@ struct ClientKind : CarKind<ClientOfTerminal, ClientHardware, ClientHardware> {
 class ClientAtTerminal : public testing::Test {
  protected:
   ClientAtTerminal() {
-    terminal().on_number_key(Callback<void(NumberPadKey)>::to<&ClientAtTerminal::number>(*this));
-    terminal().on_function_key(Callback<void(FunctionKey)>::to<&ClientAtTerminal::function>(*this));
+    terminal().on_number_key(callback<&ClientAtTerminal::number>(*this));
+    terminal().on_function_key(callback<&ClientAtTerminal::function>(*this));
     cable.run_for(0s);
     cable.clear();
   }
@@ -53,15 +53,11 @@ class ClientAtTerminal : public testing::Test {
   }
   void number(NumberPadKey key) { keys += "n" + std::to_string(static_cast<int>(key)) + " "; }
   void function(FunctionKey key) { keys += "f" + std::to_string(static_cast<int>(key)) + " "; }
-  void made(ClientOfTerminal& client, Node& /*node*/) { client_ = &client; }
 
   std::string keys;
   ClientOfTerminal* client_ = nullptr;
-  CarBench bench{
-      only_unit<ClientKind>, [this](Environment& environment) {
-        environment.watch(
-            Callback<void(ClientOfTerminal&, Node&)>::to<&ClientAtTerminal::made>(*this));
-      }};
+  CarBench bench{only_unit<ClientKind>,
+                 [this](Environment& environment) { environment.watch(client_); }};
   Cable& cable = bench.cable;
 };
 

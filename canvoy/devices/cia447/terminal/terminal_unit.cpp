@@ -64,18 +64,17 @@ TerminalUnit::TerminalUnit(CarNetwork& network, const TerminalHardware& hardware
       hardware_(hardware),
       settings_(settings),
       values_(network.node().dictionary()),
-      commands_(
-          network, terminal_commands,
-          {.commanded = Callback<void(const Commanded&)>::to<&TerminalUnit::commanded>(*this),
-           .refuses = Callback<AbortCode(const Commanded&)>::to<&TerminalUnit::refuses>(*this),
-           .lacking = (list_lacking(), std::span(lacking_).first(lacking_count_))}),
+      commands_(network, terminal_commands,
+                {.commanded = callback<&TerminalUnit::commanded>(*this),
+                 .refuses = callback<&TerminalUnit::refuses>(*this),
+                 .lacking = (list_lacking(), std::span(lacking_).first(lacking_count_))}),
       icons_1_(network, IconDisplay::display_1, hardware.show_icon),
       icons_2_(network, IconDisplay::display_2, hardware.show_icon) {
   for (unsigned part = 0; part < terminal_part_count; ++part) {
     if (settings.missing[part]) states_[part] = PartState::not_available;
   }
   network.node().attach(service_);
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalUnit::lost>(*this));
+  next_lost_ = network.on_lost(callback<&TerminalUnit::lost>(*this));
 }
 
 /// Called before all members are constructed: uses only settings and places.

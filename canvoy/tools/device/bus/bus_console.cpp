@@ -34,9 +34,8 @@ std::string driver_view_words(const cia407::DriverView& view) {
 }  // namespace
 
 void BusConsole::join(Environment& environment) {
-  environment.provide(Callback<cia407::KeyboardHardware()>::to<&BusConsole::keyboard>(*this));
-  environment.provide(
-      Callback<cia407::DriverIndicatorHardware()>::to<&BusConsole::indicator>(*this));
+  environment.provide(callback<&BusConsole::keyboard>(*this));
+  environment.provide(callback<&BusConsole::indicator>(*this));
 }
 
 void BusConsole::act(const BusPress& press) {
@@ -58,12 +57,12 @@ void BusConsole::step(Time now) {
 }
 
 cia407::KeyboardHardware BusConsole::keyboard() {
-  return {.keys = Callback<std::uint32_t()>::to<&BusConsole::keys>(*this),
-          .is_reverse_engaged = Callback<bool()>::to<&BusConsole::is_reverse>(*this)};
+  return {.keys = callback<&BusConsole::keys>(*this),
+          .is_reverse_engaged = callback<&BusConsole::is_reverse>(*this)};
 }
 
 cia407::DriverIndicatorHardware BusConsole::indicator() {
-  return {.show = Callback<void(const cia407::DriverView&)>::to<&BusConsole::show>(*this)};
+  return {.show = callback<&BusConsole::show>(*this)};
 }
 
 void BusConsole::show(const cia407::DriverView& view) {

@@ -26,7 +26,7 @@ class BusConsoleTest : public testing::Test {
 
   Time now = Time(5s);
   DeviceOutput output;
-  BusConsole console{Callback<Time()>::to<&BusConsoleTest::clock>(*this), output};
+  BusConsole console{callback<&BusConsoleTest::clock>(*this), output};
   Environment environment;
 };
 

@@ -31,16 +31,12 @@ StopAnnouncements parse_announcements(const std::vector<std::string>& texts) {
 
 void BusLoudspeakers::join(Environment& environment) {
   using namespace cia407;
-  environment.provide(
-      Callback<AcousticAnnouncerHardware()>::to<&BusLoudspeakers::announcer>(*this));
-  environment.provide(
-      Callback<AcousticControlManagerHardware()>::to<&BusLoudspeakers::control_manager>(*this));
+  environment.provide(callback<&BusLoudspeakers::announcer>(*this));
+  environment.provide(callback<&BusLoudspeakers::control_manager>(*this));
 }
 
 cia407::AcousticAnnouncerHardware BusLoudspeakers::announcer() {
-  return {
-      .announce =
-          Callback<bool(std::uint32_t, std::string_view)>::to<&BusLoudspeakers::announce>(*this)};
+  return {.announce = callback<&BusLoudspeakers::announce>(*this)};
 }
 
 bool BusLoudspeakers::announce(std::uint32_t stop_point, std::string_view text) {
@@ -58,9 +54,7 @@ bool BusLoudspeakers::announce(std::uint32_t stop_point, std::string_view text) 
 
 cia407::AcousticControlManagerHardware BusLoudspeakers::control_manager() {
   using cia407::AudioPaths;
-  return {.switch_paths =
-              Callback<AudioPaths(const AudioPaths&)>::to<&BusLoudspeakers::switch_paths>(*this),
-          .state = {}};
+  return {.switch_paths = callback<&BusLoudspeakers::switch_paths>(*this), .state = {}};
 }
 
 cia407::AudioPaths BusLoudspeakers::switch_paths(const cia407::AudioPaths& wanted) {

@@ -45,12 +45,10 @@ std::string ticket_words(const cia407::TicketData& ticket) {
 
 void BusTickets::join(Environment& environment) {
   using namespace cia407;
-  environment.provide(
-      Callback<TicketCancellerHardware()>::to<&BusTickets::canceller_hardware>(*this));
-  environment.watch(
-      Callback<void(TicketCancellerUnit&, Node&)>::to<&BusTickets::is_canceller>(*this));
-  environment.provide(Callback<TicketPrinterHardware()>::to<&BusTickets::printer_hardware>(*this));
-  environment.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusTickets::is_printer>(*this));
+  environment.provide(callback<&BusTickets::canceller_hardware>(*this));
+  environment.watch(canceller_);
+  environment.provide(callback<&BusTickets::printer_hardware>(*this));
+  environment.watch(printer_);
 }
 
 void BusTickets::act(const BusPress& press) {
@@ -69,8 +67,8 @@ void BusTickets::answer(cia407::TicketAnswer answer, std::string_view who) {
 }
 
 cia407::TicketCancellerHardware BusTickets::canceller_hardware() {
-  return {.stamp = Callback<void(const cia407::TicketData&)>::to<&BusTickets::stamp>(*this),
-          .show_ready = Callback<void(bool)>::to<&BusTickets::show_ready>(*this)};
+  return {.stamp = callback<&BusTickets::stamp>(*this),
+          .show_ready = callback<&BusTickets::show_ready>(*this)};
 }
 
 void BusTickets::stamp(const cia407::TicketData& ticket) {
@@ -82,8 +80,8 @@ void BusTickets::show_ready(bool is_ready) {
 }
 
 cia407::TicketPrinterHardware BusTickets::printer_hardware() {
-  return {.print = Callback<bool(const cia407::TicketData&)>::to<&BusTickets::print>(*this),
-          .has_paper = Callback<bool()>::to<&BusTickets::has_paper>(*this)};
+  return {.print = callback<&BusTickets::print>(*this),
+          .has_paper = callback<&BusTickets::has_paper>(*this)};
 }
 
 bool BusTickets::print(const cia407::TicketData& ticket) {

@@ -31,11 +31,9 @@ class BusTickets {
 
  private:
   cia407::TicketCancellerHardware canceller_hardware();
-  void is_canceller(cia407::TicketCancellerUnit& unit, Node& /*node*/) { canceller_ = &unit; }
   void stamp(const cia407::TicketData& ticket);
   void show_ready(bool is_ready);
   cia407::TicketPrinterHardware printer_hardware();
-  void is_printer(cia407::TicketPrinterUnit& unit, Node& /*node*/) { printer_ = &unit; }
   bool print(const cia407::TicketData& ticket);
   bool has_paper() { return has_paper_; }
   void answer(cia407::TicketAnswer answer, std::string_view who);

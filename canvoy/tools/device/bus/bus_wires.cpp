@@ -22,7 +22,7 @@ std::string set_bits_text(std::uint32_t bits) {
 }  // namespace
 
 void BusWires::join(Environment& environment) {
-  environment.provide(Callback<cia407::GenericIoHardware()>::to<&BusWires::hardware>(*this));
+  environment.provide(callback<&BusWires::hardware>(*this));
 }
 
 void BusWires::act(const BusPress& press) {
@@ -31,11 +31,10 @@ void BusWires::act(const BusPress& press) {
 }
 
 cia407::GenericIoHardware BusWires::hardware() {
-  return {.digital_inputs = Callback<std::uint32_t()>::to<&BusWires::inputs>(*this),
-          .set_digital_outputs = Callback<void(std::uint32_t)>::to<&BusWires::set_outputs>(*this),
-          .set_analogue_output =
-              Callback<void(unsigned, std::int16_t)>::to<&BusWires::set_analogue>(*this),
-          .has_error = Callback<bool(std::uint16_t)>::to<&BusWires::has_error>(*this)};
+  return {.digital_inputs = callback<&BusWires::inputs>(*this),
+          .set_digital_outputs = callback<&BusWires::set_outputs>(*this),
+          .set_analogue_output = callback<&BusWires::set_analogue>(*this),
+          .has_error = callback<&BusWires::has_error>(*this)};
 }
 
 void BusWires::set_outputs(std::uint32_t outputs) {

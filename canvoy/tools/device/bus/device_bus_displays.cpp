@@ -60,7 +60,7 @@ std::vector<std::string_view> display_names(std::span<const cia407::BusUnit* con
 }
 
 void DeviceBusDisplays::join(Environment& environment) {
-  environment.provide(Callback<cia407::DisplayHardware()>::to<&DeviceBusDisplays::next>(*this));
+  environment.provide(callback<&DeviceBusDisplays::next>(*this));
 }
 
 void DeviceBusDisplays::look() {

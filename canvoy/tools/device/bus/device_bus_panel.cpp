@@ -87,13 +87,10 @@ constexpr double cabin_celsius = 20;
 
 void BusComputer::join(Environment& environment) {
   using namespace cia407;
-  environment.provide(Callback<MainOnBoardComputerHardware()>::to<&BusComputer::hardware>(*this));
-  environment.watch(
-      Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&BusComputer::is_unit>(*this));
-  environment.provide(
-      Callback<IdentificationHardware()>::to<&BusComputer::identification_hardware>(*this));
-  environment.watch(
-      Callback<void(IdentificationUnit&, Node&)>::to<&BusComputer::is_identification>(*this));
+  environment.provide(callback<&BusComputer::hardware>(*this));
+  environment.watch(unit_);
+  environment.provide(callback<&BusComputer::identification_hardware>(*this));
+  environment.watch(identification_);
 }
 
 void BusComputer::act(const BusPress& press) {
@@ -126,14 +123,14 @@ void BusComputer::place(const BusPress& press) {
 }
 
 cia407::MainOnBoardComputerHardware BusComputer::hardware() {
-  return {.clock = Callback<std::optional<cia407::CivilTime>()>::to<&BusComputer::clock>(*this),
+  return {.clock = callback<&BusComputer::clock>(*this),
           .inside_temperature = {[](void*) -> std::optional<double> { return cabin_celsius; },
                                  nullptr}};
 }
 
 cia407::IdentificationHardware BusComputer::identification_hardware() {
   assignment_ = kept_;
-  return {.remembered = Callback<cia407::Assignment()>::to<&BusComputer::remembered>(*this)};
+  return {.remembered = callback<&BusComputer::remembered>(*this)};
 }
 
 namespace {
@@ -207,8 +204,8 @@ constexpr std::size_t relayed_value_max = 4;
 
 void TrainBus::join(Environment& environment) {
   using cia407::TrainBusGatewayHardware, cia407::TrainBusGatewayUnit;
-  environment.provide(Callback<TrainBusGatewayHardware()>::to<&TrainBus::hardware>(*this));
-  environment.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainBus::is_gateway>(*this));
+  environment.provide(callback<&TrainBus::hardware>(*this));
+  environment.watch(gateway_);
 }
 
 /// In the number of bytes of the object.
@@ -229,8 +226,7 @@ void TrainBus::act(const BusPress& press, Node& node) {
 }
 
 cia407::TrainBusGatewayHardware TrainBus::hardware() {
-  return {.send = Callback<void(std::uint16_t, std::uint8_t,
-                                std::span<const std::uint8_t>)>::to<&TrainBus::send>(*this)};
+  return {.send = callback<&TrainBus::send>(*this)};
 }
 
 void TrainBus::send(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
@@ -240,14 +236,10 @@ void TrainBus::send(std::uint16_t index, std::uint8_t sub, std::span<const std::
 
 void BusCounting::join(Environment& environment) {
   using namespace cia407;
-  environment.provide(
-      Callback<PassengerCounterSettings()>::to<&BusCounting::counter_settings>(*this));
-  environment.watch(
-      Callback<void(PassengerCounterUnit&, Node&)>::to<&BusCounting::is_counter>(*this));
-  environment.provide(
-      Callback<CountingManagerSettings()>::to<&BusCounting::manager_settings>(*this));
-  environment.watch(
-      Callback<void(CountingManagerUnit&, Node&)>::to<&BusCounting::is_manager>(*this));
+  environment.provide(callback<&BusCounting::counter_settings>(*this));
+  environment.watch(counter_);
+  environment.provide(callback<&BusCounting::manager_settings>(*this));
+  environment.watch(callback<&BusCounting::is_manager>(*this));
 }
 
 void BusCounting::act(const BusPress& press) {
@@ -270,10 +262,8 @@ void BusCounting::is_manager(cia407::CountingManagerUnit& unit, Node& /*node*/) 
 }
 
 void BusSatellites::join(Environment& environment) {
-  environment.provide(
-      Callback<cia407::PositioningHardware()>::to<&BusSatellites::positioning>(*this));
-  environment.provide(
-      Callback<cia407::TimeFixingHardware()>::to<&BusSatellites::time_fixing>(*this));
+  environment.provide(callback<&BusSatellites::positioning>(*this));
+  environment.provide(callback<&BusSatellites::time_fixing>(*this));
 }
 
 void BusSatellites::act(const BusPress& press) {
@@ -281,7 +271,7 @@ void BusSatellites::act(const BusPress& press) {
 }
 
 cia407::PositioningHardware BusSatellites::positioning() {
-  return {.read = Callback<cia447::GpsReading()>::to<&BusSatellites::position>(*this)};
+  return {.read = callback<&BusSatellites::position>(*this)};
 }
 
 cia447::GpsReading BusSatellites::position() {
@@ -289,8 +279,7 @@ cia447::GpsReading BusSatellites::position() {
 }
 
 cia407::TimeFixingHardware BusSatellites::time_fixing() {
-  return {.utc = Callback<std::optional<cia407::CivilTime>()>::to<&BusSatellites::time>(*this),
-          .local_offset = {}};
+  return {.utc = callback<&BusSatellites::time>(*this), .local_offset = {}};
 }
 
 std::optional<cia407::CivilTime> BusSatellites::time() {
@@ -331,7 +320,7 @@ BusPanel::BusPanel(std::span<const cia407::BusUnit* const> units,
 }
 
 void BusPanel::join(Environment& environment) {
-  environment.provide(Callback<cia407::BusSegment()>::to<&BusPanel::segment>(*this));
+  environment.provide(callback<&BusPanel::segment>(*this));
   errors_.join(environment);
   displays_.join(environment);
   loudspeakers_.join(environment);

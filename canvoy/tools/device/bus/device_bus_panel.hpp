@@ -98,13 +98,9 @@ class BusComputer {
 
  private:
   cia407::MainOnBoardComputerHardware hardware();
-  void is_unit(cia407::MainOnBoardComputerUnit& unit, Node& /*node*/) { unit_ = &unit; }
   std::optional<cia407::CivilTime> clock() { return motion_.utc(); }
   void place(const BusPress& press);
   cia407::IdentificationHardware identification_hardware();
-  void is_identification(cia407::IdentificationUnit& unit, Node& /*node*/) {
-    identification_ = &unit;
-  }
   cia407::Assignment remembered() { return assignment_; }
   void log_in(const BusPress& press);
 
@@ -160,7 +156,6 @@ class TrainBus {
 
  private:
   cia407::TrainBusGatewayHardware hardware();
-  void is_gateway(cia407::TrainBusGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   void send(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value);
 
   const DeviceOutput& output_;
@@ -198,7 +193,6 @@ class BusCounting {
 
  private:
   cia407::PassengerCounterSettings counter_settings() { return {.door = settings_.door}; }
-  void is_counter(cia407::PassengerCounterUnit& unit, Node& /*node*/) { counter_ = &unit; }
   cia407::CountingManagerSettings manager_settings() { return {.capacity = settings_.capacity}; }
   void is_manager(cia407::CountingManagerUnit& unit, Node& node);
 

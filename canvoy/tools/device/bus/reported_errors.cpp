@@ -4,14 +4,11 @@ namespace canvoy::tools {
 
 void ReportedErrors::join(Environment& environment) {
   using cia407::CodeOnlyHardware, cia407::DeviceCode;
-  environment.provide(Callback<CodeOnlyHardware<DeviceCode::data_radio>()>::to<
-                      &ReportedErrors::radio<DeviceCode::data_radio>>(*this));
-  environment.provide(Callback<CodeOnlyHardware<DeviceCode::voice_radio>()>::to<
-                      &ReportedErrors::radio<DeviceCode::voice_radio>>(*this));
-  environment.provide(Callback<CodeOnlyHardware<DeviceCode::short_range_communication>()>::to<
-                      &ReportedErrors::radio<DeviceCode::short_range_communication>>(*this));
+  environment.provide(callback<&ReportedErrors::radio<DeviceCode::data_radio>>(*this));
+  environment.provide(callback<&ReportedErrors::radio<DeviceCode::voice_radio>>(*this));
   environment.provide(
-      Callback<CodeOnlyHardware<DeviceCode::power_supply>()>::to<&ReportedErrors::supply>(*this));
+      callback<&ReportedErrors::radio<DeviceCode::short_range_communication>>(*this));
+  environment.provide(callback<&ReportedErrors::supply>(*this));
 }
 
 void ReportedErrors::act(const BusPress& press) {
@@ -25,11 +22,11 @@ void ReportedErrors::act(const BusPress& press) {
 
 template <cia407::DeviceCode code>
 cia407::CodeOnlyHardware<code> ReportedErrors::radio() {
-  return {.has_error = Callback<bool(std::uint16_t)>::to<&ReportedErrors::is_disconnected>(*this)};
+  return {.has_error = callback<&ReportedErrors::is_disconnected>(*this)};
 }
 
 cia407::CodeOnlyHardware<cia407::DeviceCode::power_supply> ReportedErrors::supply() {
-  return {.has_error = Callback<bool(std::uint16_t)>::to<&ReportedErrors::has>(*this)};
+  return {.has_error = callback<&ReportedErrors::has>(*this)};
 }
 
 }  // namespace canvoy::tools

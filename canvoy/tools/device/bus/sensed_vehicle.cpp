@@ -16,16 +16,11 @@ constexpr std::array<std::string_view, 2> driver_cards = {"D  1234567890123456",
 
 void SensedVehicle::join(Environment& environment) {
   using namespace cia407;
-  environment.provide(
-      Callback<VehicleGatewayHardware()>::to<&SensedVehicle::gateway_hardware>(*this));
-  environment.watch(
-      Callback<void(VehicleGatewayUnit&, Node&)>::to<&SensedVehicle::is_gateway>(*this));
-  environment.provide(
-      Callback<TachographHardware()>::to<&SensedVehicle::tachograph_hardware>(*this));
-  environment.provide(
-      Callback<TachographSettings()>::to<&SensedVehicle::tachograph_settings>(*this));
-  environment.watch(
-      Callback<void(TachographUnit&, Node&)>::to<&SensedVehicle::is_tachograph>(*this));
+  environment.provide(callback<&SensedVehicle::gateway_hardware>(*this));
+  environment.watch(gateway_);
+  environment.provide(callback<&SensedVehicle::tachograph_hardware>(*this));
+  environment.provide(callback<&SensedVehicle::tachograph_settings>(*this));
+  environment.watch(tachograph_);
 }
 
 void SensedVehicle::act(const BusPress& press) {
@@ -47,7 +42,7 @@ std::optional<double> SensedVehicle::trip_begin() const {
 
 cia407::VehicleGatewayHardware SensedVehicle::gateway_hardware() {
   doors_.fill({.is_valid = true});
-  return {.read = Callback<cia407::VehicleReading()>::to<&SensedVehicle::read>(*this)};
+  return {.read = callback<&SensedVehicle::read>(*this)};
 }
 
 cia407::VehicleReading SensedVehicle::read() {
@@ -67,7 +62,7 @@ cia407::VehicleReading SensedVehicle::read() {
 }
 
 cia407::TachographHardware SensedVehicle::tachograph_hardware() {
-  return {.read = Callback<cia407::TachographReading()>::to<&SensedVehicle::record>(*this)};
+  return {.read = callback<&SensedVehicle::record>(*this)};
 }
 
 cia407::TachographSettings SensedVehicle::tachograph_settings() {

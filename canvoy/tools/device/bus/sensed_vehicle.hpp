@@ -38,11 +38,9 @@ class SensedVehicle {
 
  private:
   cia407::VehicleGatewayHardware gateway_hardware();
-  void is_gateway(cia407::VehicleGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   cia407::VehicleReading read();
   cia407::TachographHardware tachograph_hardware();
   cia407::TachographSettings tachograph_settings();
-  void is_tachograph(cia407::TachographUnit& unit, Node& /*node*/) { tachograph_ = &unit; }
   cia407::TachographReading record();
 
   const BusMotion& motion_;

@@ -57,8 +57,7 @@ template <class Kind>
 void CarHands::watch(Environment& environment) {
   for (const cia447::CarUnit* unit : units_) {
     if (unit->info.name != Kind::info.name) continue;
-    environment.watch(
-        Callback<void(typename Kind::Unit&, Node&)>::template to<&CarHands::has<Kind>>(*this));
+    environment.watch(callback<&CarHands::has<Kind>>(*this));
   }
 }
 

@@ -165,12 +165,11 @@ void DeviceCar::plan(const std::string& text) {
 }
 
 void DeviceCar::join(Environment& environment) {
-  environment.provide(Callback<cia447::CarHardware()>::to<&DeviceCar::car>(*this));
-  environment.provide(Callback<cia447::GpsHardware()>::to<&DeviceCar::gps>(*this));
-  environment.provide(Callback<cia447::NavigationHardware()>::to<&DeviceCar::navigation>(*this));
-  environment.provide(Callback<cia447::RealTimeClockHardware()>::to<&DeviceCar::clock>(*this));
-  environment.provide(
-      Callback<cia447::DriverIdentificationHardware()>::to<&DeviceCar::reader>(*this));
+  environment.provide(callback<&DeviceCar::car>(*this));
+  environment.provide(callback<&DeviceCar::gps>(*this));
+  environment.provide(callback<&DeviceCar::navigation>(*this));
+  environment.provide(callback<&DeviceCar::clock>(*this));
+  environment.provide(callback<&DeviceCar::reader>(*this));
 }
 
 /// Brakes as before a red light.
@@ -274,11 +273,11 @@ cia447::CarHardware DeviceCar::car() {
           .inside_temperature = sensor<CarSense::inside_temperature>(),
           .light_intensity = sensor<CarSense::light_intensity>(),
           .mirror_dimming = sensor<CarSense::mirror_dimming>(),
-          .vin = Callback<std::string_view()>::to<&DeviceCar::vin>(*this)};
+          .vin = callback<&DeviceCar::vin>(*this)};
 }
 
 cia447::GpsHardware DeviceCar::gps() {
-  return {.read = Callback<cia447::GpsReading()>::to<&DeviceCar::sensed_reading>(*this)};
+  return {.read = callback<&DeviceCar::sensed_reading>(*this)};
 }
 
 cia447::GpsReading DeviceCar::sensed_reading() {
@@ -327,8 +326,8 @@ cia447::NavigationHardware DeviceCar::navigation() {
 }
 
 cia447::RealTimeClockHardware DeviceCar::clock() {
-  return {.read = Callback<std::optional<cia447::ChipTime>()>::to<&DeviceCar::read_chip>(*this),
-          .write = Callback<void(const cia447::ChipTime&)>::to<&DeviceCar::write_chip>(*this)};
+  return {.read = callback<&DeviceCar::read_chip>(*this),
+          .write = callback<&DeviceCar::write_chip>(*this)};
 }
 
 std::optional<cia447::ChipTime> DeviceCar::read_chip() {

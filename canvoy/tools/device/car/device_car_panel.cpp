@@ -105,14 +105,14 @@ CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units, const CarPanel
       hands_(units,
              {.car = &car, .seal_is_open = &is_seal_open_, .calibration = options.calibration},
              output) {
-  environment.provide(Callback<cia447::TaximeterHardware()>::to<&CarPanel::meter_hardware>(*this));
-  environment.provide(Callback<cia447::TaximeterSettings()>::to<&CarPanel::meter_settings>(*this));
-  environment.provide(Callback<cia447::PrinterHardware()>::to<&CarPanel::printer>(*this));
-  environment.provide(Callback<cia447::TerminalHardware()>::to<&CarPanel::terminal>(*this));
-  environment.provide(Callback<cia447::TariffDisplayHardware()>::to<&CarPanel::sign>(*this));
-  environment.provide(Callback<cia447::TaxiAlarmHardware()>::to<&CarPanel::alarm>(*this));
-  environment.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&CarPanel::has_network>(*this));
-  environment.watch(Callback<void(cia447::CarMaster&, Node&)>::to<&CarPanel::has_master>(*this));
+  environment.provide(callback<&CarPanel::meter_hardware>(*this));
+  environment.provide(callback<&CarPanel::meter_settings>(*this));
+  environment.provide(callback<&CarPanel::printer>(*this));
+  environment.provide(callback<&CarPanel::terminal>(*this));
+  environment.provide(callback<&CarPanel::sign>(*this));
+  environment.provide(callback<&CarPanel::alarm>(*this));
+  environment.watch(callback<&CarPanel::has_network>(*this));
+  environment.watch(callback<&CarPanel::has_master>(*this));
   hands_.join(environment);
 }
 
@@ -130,10 +130,10 @@ void CarPanel::end() {
 // The taximeter.
 
 cia447::TaximeterHardware CarPanel::meter_hardware() {
-  return {.clock = Callback<std::optional<cia447::LocalTime>()>::to<&CarPanel::local_time>(*this),
-          .seal_is_open = Callback<bool()>::to<&CarPanel::seal_is_open>(*this),
-          .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&CarPanel::show_meter>(*this),
-          .recorded = Callback<void(const cia447::AuditEntry&)>::to<&CarPanel::recorded>(*this),
+  return {.clock = callback<&CarPanel::local_time>(*this),
+          .seal_is_open = callback<&CarPanel::seal_is_open>(*this),
+          .show = callback<&CarPanel::show_meter>(*this),
+          .recorded = callback<&CarPanel::recorded>(*this),
           .turned_off = {},
           .flash = flash_};
 }
@@ -214,8 +214,8 @@ void CarPanel::print_slip() {
 
 cia447::PrinterHardware CarPanel::printer() {
   cia447::PrinterPaper paper;
-  paper.put = Callback<void(const cia447::PrintedCharacter&)>::to<&CarPanel::put>(*this);
-  paper.feed = Callback<void(unsigned)>::to<&CarPanel::feed>(*this);
+  paper.put = callback<&CarPanel::put>(*this);
+  paper.feed = callback<&CarPanel::feed>(*this);
   return {.paper = paper};
 }
 void CarPanel::put(const cia447::PrintedCharacter& printed) {
@@ -228,7 +228,7 @@ void CarPanel::feed(unsigned /*dots*/) {
 }
 
 cia447::TerminalHardware CarPanel::terminal() {
-  return {.show = Callback<void(const cia447::DisplayContent&)>::to<&CarPanel::show_text>(*this)};
+  return {.show = callback<&CarPanel::show_text>(*this)};
 }
 void CarPanel::show_text(const cia447::DisplayContent& content) {
   std::string text(content.text);
@@ -241,14 +241,14 @@ void CarPanel::show_text(const cia447::DisplayContent& content) {
 }
 
 cia447::TariffDisplayHardware CarPanel::sign() {
-  return {.drive = Callback<void(unsigned, cia447::Lamp)>::to<&CarPanel::drive_lamp>(*this)};
+  return {.drive = callback<&CarPanel::drive_lamp>(*this)};
 }
 void CarPanel::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
   output_.say("tariff-display", fmt::format("lamp {} {}", lamp, lamp_words(wanted)));
 }
 
 cia447::TaxiAlarmHardware CarPanel::alarm() {
-  return {.alarm = Callback<void(bool, bool)>::to<&CarPanel::alarm_changed>(*this)};
+  return {.alarm = callback<&CarPanel::alarm_changed>(*this)};
 }
 void CarPanel::alarm_changed(bool silent, bool full) {
   output_.say("taxi-alarm", silent ? full ? "silent and full alarm" : "silent alarm"
@@ -257,7 +257,7 @@ void CarPanel::alarm_changed(bool silent, bool full) {
 }
 
 void CarPanel::has_master(cia447::CarMaster& master, Node& /*node*/) {
-  master.on_event(Callback<void(const cia447::CarEvent&)>::to<&CarPanel::car_event>(*this));
+  master.on_event(callback<&CarPanel::car_event>(*this));
 }
 /// Reported once while it lasts: a device without room sends its request repeatedly.
 void CarPanel::car_event(const cia447::CarEvent& event) {

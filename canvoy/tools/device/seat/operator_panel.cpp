@@ -50,15 +50,14 @@ OperatorPanel::OperatorPanel(const OperatorPanelOptions& options, Environment& e
   const HandTable table = {operator_name, seat_hands_};
   check_hand_options({&table, 1}, {}, options.moves, "--move");
   for (const std::string& move : options.moves) take(move);
-  environment.provide(Callback<cia852::OperatorEnvironment()>::to<&OperatorPanel::elements>(*this));
-  environment.provide(Callback<cia852::OperatorHardware()>::to<&OperatorPanel::hardware>(*this));
+  environment.provide(callback<&OperatorPanel::elements>(*this));
+  environment.provide(callback<&OperatorPanel::hardware>(*this));
   take_programs(options.program_store, environment);
   if (options.hands.empty()) return;
   hands_ = std::make_unique<Hands>(options.hands, elements_, seat_, output);
-  hands_->on_change(Callback<void()>::to<&OperatorPanel::hands_moved>(*this));
-  hands_->on_loss(Callback<void(unsigned, bool)>::to<&OperatorPanel::hand_lost>(*this));
-  environment.watch(
-      Callback<void(cia852::OperatorUnit&, Node&)>::to<&OperatorPanel::is_made>(*this));
+  hands_->on_change(callback<&OperatorPanel::hands_moved>(*this));
+  hands_->on_loss(callback<&OperatorPanel::hand_lost>(*this));
+  environment.watch(callback<&OperatorPanel::is_made>(*this));
 }
 
 /// A program store requires the objects.
@@ -70,7 +69,7 @@ void OperatorPanel::take_programs(const std::string& path, Environment& environm
   elements_.program_download = true;
   program_store_ = std::make_unique<ProgramStore>(
       path, [this](const std::string& text) { output_.say(operator_name, text); });
-  environment.provide(Callback<ProgramPlace()>::to<&OperatorPanel::program_place>(*this));
+  environment.provide(callback<&OperatorPanel::program_place>(*this));
 }
 
 void OperatorPanel::is_made(cia852::OperatorUnit& unit, Node& node) {
@@ -102,10 +101,8 @@ void OperatorPanel::hand_lost(unsigned device, bool is_lost) {
 
 cia852::OperatorHardware OperatorPanel::hardware() {
   cia852::OperatorHardware made = seat_.inputs();
-  made.show_indicators =
-      Callback<void(unsigned, unsigned, std::uint8_t)>::to<&OperatorPanel::show_indicators>(*this);
-  made.show_parameter =
-      Callback<void(unsigned, unsigned, std::int16_t)>::to<&OperatorPanel::show_parameter>(*this);
+  made.show_indicators = callback<&OperatorPanel::show_indicators>(*this);
+  made.show_parameter = callback<&OperatorPanel::show_parameter>(*this);
   return made;
 }
 

@@ -133,15 +133,14 @@ void SeatState::turn(const Control& control, std::int64_t steps) {
 }
 
 cia852::OperatorHardware SeatState::inputs() {
-  using Byte = std::uint8_t;
-  return {.joystick_axis = Callback<std::int16_t(unsigned, unsigned)>::to<&SeatState::axis>(*this),
-          .joystick_buttons = Callback<Byte(unsigned)>::to<&SeatState::buttons>(*this),
-          .joystick_memory = Callback<Byte(unsigned)>::to<&SeatState::holds>(*this),
-          .foot_pedal = Callback<std::int16_t(unsigned)>::to<&SeatState::foot_pedal>(*this),
-          .foot_pedal_memory = Callback<bool(unsigned)>::to<&SeatState::foot_pedal_holds>(*this),
-          .encoder = Callback<std::uint32_t(unsigned)>::to<&SeatState::encoder>(*this),
-          .wheel = Callback<std::int16_t(unsigned)>::to<&SeatState::wheel>(*this),
-          .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&SeatState::push_buttons>(*this)};
+  return {.joystick_axis = callback<&SeatState::axis>(*this),
+          .joystick_buttons = callback<&SeatState::buttons>(*this),
+          .joystick_memory = callback<&SeatState::holds>(*this),
+          .foot_pedal = callback<&SeatState::foot_pedal>(*this),
+          .foot_pedal_memory = callback<&SeatState::foot_pedal_holds>(*this),
+          .encoder = callback<&SeatState::encoder>(*this),
+          .wheel = callback<&SeatState::wheel>(*this),
+          .push_buttons = callback<&SeatState::push_buttons>(*this)};
 }
 
 }  // namespace canvoy::tools

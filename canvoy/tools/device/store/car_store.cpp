@@ -43,9 +43,7 @@ void KeptBytes::keep(std::span<const std::uint8_t> bytes) {
   bytes_ = bytes;
   (void)records_.find();  // where the newest one is
   records_.begin(
-      {.rewind = Callback<void()>::to<&KeptBytes::rewind>(*this),
-       .next =
-           Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&KeptBytes::next>(*this)});
+      {.rewind = callback<&KeptBytes::rewind>(*this), .next = callback<&KeptBytes::next>(*this)});
   // Writing a file does not block.
   while (records_.step() != RecordStep::done) {
   }
@@ -66,7 +64,7 @@ CarStore::CarStore(const std::string& path)
       seats_(file_->flash(), seats_place) {}
 
 void CarStore::join(Environment& environment) {
-  environment.provide(Callback<cia447::CarMemory()>::to<&CarStore::memory>(*this));
+  environment.provide(callback<&CarStore::memory>(*this));
 }
 
 LssStore::Place CarStore::lss_place() const {
@@ -78,8 +76,8 @@ cia447::AuditMemory::Place CarStore::audit_place() {
 }
 
 cia447::CarMemory CarStore::memory() {
-  return {.load = Callback<cia447::KnownDevices()>::to<&CarStore::load_known>(*this),
-          .store = Callback<void(const cia447::KnownDevices&)>::to<&CarStore::keep_known>(*this)};
+  return {.load = callback<&CarStore::load_known>(*this),
+          .store = callback<&CarStore::keep_known>(*this)};
 }
 
 cia447::KnownDevices CarStore::load_known() {
@@ -111,8 +109,8 @@ void CarStore::keep_known(const cia447::KnownDevices& known) {
 }
 
 cia447::SeatStore CarStore::seats() {
-  return {.load = Callback<cia447::SeatMemories()>::to<&CarStore::load_seats>(*this),
-          .store = Callback<void(const cia447::SeatMemories&)>::to<&CarStore::keep_seats>(*this)};
+  return {.load = callback<&CarStore::load_seats>(*this),
+          .store = callback<&CarStore::keep_seats>(*this)};
 }
 
 cia447::SeatMemories CarStore::load_seats() {

@@ -12,11 +12,9 @@ ProgramStore::ProgramStore(const std::string& path, Say say)
           host::FileFlash::open(path, {.sector_size = sector_size, .sectors = sectors}))) {}
 
 ProgramHooks ProgramStore::hooks() {
-  return {.control =
-              Callback<AbortCode(std::uint8_t, ProgramCommand)>::to<&ProgramStore::control>(*this),
-          .check = Callback<FlashError(std::uint8_t, const ProgramSlot&)>::to<&ProgramStore::check>(
-              *this),
-          .under_way = Callback<void(bool)>::to<&ProgramStore::under_way>(*this)};
+  return {.control = callback<&ProgramStore::control>(*this),
+          .check = callback<&ProgramStore::check>(*this),
+          .under_way = callback<&ProgramStore::under_way>(*this)};
 }
 
 void ProgramStore::say_what_is_there(const ProgramSlot& slot) const {
