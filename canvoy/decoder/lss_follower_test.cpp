@@ -146,7 +146,7 @@ class DeviceTest : public testing::Test {
     return *last;
   }
   /// 1000h, then vendor-ID and product code as other nodes read them from node 9.
-  void tell_product_of_node_9() {
+  void report_product_of_node_9() {
     feed({"589#43001000A3010000", "589#43181001F0020000", "589#43181002A3010000"});
   }
   Decoder sut_;
@@ -168,7 +168,7 @@ TEST_F(DeviceTest, HasTheIdentityThatOthersRead) {
 }
 
 TEST_F(DeviceTest, HasTheProfileThatAnotherOneOfItsProductHas) {
-  tell_product_of_node_9();
+  report_product_of_node_9();
   feed(selective);
   const Decoded& decoded = feed(set_5);
   EXPECT_EQ(sut_.network().profile(5).number, 419);
@@ -177,7 +177,7 @@ TEST_F(DeviceTest, HasTheProfileThatAnotherOneOfItsProductHas) {
 }
 
 TEST_F(DeviceTest, KeepsWhatItTellsItselfRatherThanWhatOthersOfItsProductTold) {
-  tell_product_of_node_9();
+  report_product_of_node_9();
   feed({"585#43001000A2010000", "585#43181001F0020000", "585#43181002A3010000"});
   EXPECT_EQ(sut_.network().profile(5).number, 418);
 }

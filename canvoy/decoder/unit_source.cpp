@@ -16,7 +16,7 @@ UnitSource written_teller(const ValueInfo& value) {
 }
 
 /// The value of an entry, or of one of its fields, with a unit in another entry; or null.
-const ValueInfo* told_value(const EntryInfo& entry) {
+const ValueInfo* reported_value(const EntryInfo& entry) {
   if (written_teller(entry.value).index != 0) return &entry.value;
   for (const FieldInfo& field : entry.fields) {
     if (written_teller(field.value).index != 0) return &field.value;
@@ -43,7 +43,7 @@ std::vector<Tellers> find_tellers() {
   for (const Profile* profile : all_profiles()) {
     for (const ObjectInfo* object : profile->objects) {
       for (const EntryInfo& entry : object->entries()) {
-        const ValueInfo* value = told_value(entry);
+        const ValueInfo* value = reported_value(entry);
         if (value == nullptr) continue;
         const Tellers tellers = {written_teller(*value), object->count, profile->block_count,
                                  profile->block_pitch};
@@ -109,7 +109,7 @@ bool is_unit_source(unsigned index, unsigned sub) {
 
 UnitSource unit_source_of(const EntryInfo& entry, const ObjectInfo& described, unsigned index,
                           unsigned sub) {
-  const ValueInfo* value = told_value(entry);
+  const ValueInfo* value = reported_value(entry);
   if (value == nullptr) return {};
   UnitSource teller = written_teller(*value);
   teller.index = static_cast<std::uint16_t>(teller.index + index - described.index);
@@ -119,14 +119,14 @@ UnitSource unit_source_of(const EntryInfo& entry, const ObjectInfo& described, u
 
 UnitSource unit_source_of(const Profile& profile, const EntryInfo& entry, unsigned index,
                           unsigned sub) {
-  if (told_value(entry) == nullptr) return {};
+  if (reported_value(entry) == nullptr) return {};
   const ObjectInfo* described = find_description(describer_of(profile), index);
   return described == nullptr ? UnitSource{} : unit_source_of(entry, *described, index, sub);
 }
 
 std::optional<Measure> measure_by_source(const Profile& profile, const EntryInfo& entry,
                                          std::uint64_t held) {
-  const ValueInfo* value = told_value(entry);
+  const ValueInfo* value = reported_value(entry);
   if (value == nullptr) return std::nullopt;
   if (value->unit_entry.index != 0) return measure_of(value->unit_entry, held);
   return step_measure(profile, *value, held);

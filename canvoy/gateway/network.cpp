@@ -128,7 +128,7 @@ Answer answer_of(AbortCode outcome) {
 }
 
 /// CiA 309-3 has no code for the warning limit.
-ErrorCode told_of(BusState state) {
+ErrorCode reported_of(BusState state) {
   if (state == BusState::bus_off) return ErrorCode::bus_off;
   return is_error_active(state) ? ErrorCode::can_active : ErrorCode::error_passive;
 }
@@ -194,9 +194,9 @@ void Network::tx_ready(Time now) {
 }
 
 void Network::bus_state(BusState state, Time now) {
-  const ErrorCode before = told_of(node().bus_state());
+  const ErrorCode before = reported_of(node().bus_state());
   node().bus_state(state, now);
-  if (told_of(state) != before) report(0, told_of(state));
+  if (reported_of(state) != before) report(0, reported_of(state));
   progress(now);
 }
 

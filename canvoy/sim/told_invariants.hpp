@@ -1,7 +1,7 @@
 // Reports each broken invariant of a world once, at the time when it breaks.
 //
 //     ToldInvariants<invariant_kinds> told;
-//     told.tell_broken(referee.verdicts(), [&](const Invariant& it) { note(InvariantBroken{it});
+//     told.report_broken(referee.verdicts(), [&](const Invariant& it) { note(InvariantBroken{it});
 //     });
 #pragma once
 
@@ -16,7 +16,7 @@ class ToldInvariants {
  public:
   /// Calls `tell` with each invariant that is broken now and was not before.
   template <class Invariants, class Tell>
-  void tell_broken(const Invariants& invariants, const Tell& tell) {
+  void report_broken(const Invariants& invariants, const Tell& tell) {
     for (const auto& invariant : invariants) {
       bool& is_told = is_told_.at(static_cast<std::size_t>(invariant.kind));
       if (!invariant.held && !std::exchange(is_told, true)) tell(invariant);

@@ -41,7 +41,7 @@ DigitalInputs::DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Se
 void DigitalInputs::begin() {
   for (DigitalInputGroup& inputs : groups_) inputs.sensed = inputs.accepted = sense_(inputs.number);
   node_.timers().disarm(timer_);
-  tell_all(Telling::nothing);
+  report_all(Telling::nothing);
 }
 
 /// Without a change, which is nearly always the case, no object is looked up.
@@ -52,11 +52,11 @@ void DigitalInputs::look(Time now) {
     inputs.has_changed = filter(inputs, now);
     has_changed = inputs.has_changed || has_changed;
   }
-  if (has_changed) tell_all(Telling::events);
+  if (has_changed) report_all(Telling::events);
 }
 
 void DigitalInputs::show() {
-  tell_all(Telling::nothing);
+  report_all(Telling::nothing);
 }
 
 /// Accepts a change at once, or after it has been stable for the filter time. True if any was
@@ -112,7 +112,7 @@ std::uint32_t DigitalInputs::accepted(unsigned sub, unsigned bytes) const {
   return made;
 }
 
-void DigitalInputs::tell_all(Telling telling) {
+void DigitalInputs::report_all(Telling telling) {
   const bool is_enabled =
       node_.dictionary().word(global_interrupt_enable_digital_object.index, 0, 1) != 0;
   const bool may_tell = telling == Telling::events && is_enabled;
@@ -122,10 +122,10 @@ void DigitalInputs::tell_all(Telling telling) {
 }
 
 void DigitalInputs::tell(unsigned group, bool may_tell) {
-  for (const Width& width : input_widths) tell_element(width, element_of(group, width), may_tell);
+  for (const Width& width : input_widths) report_element(width, element_of(group, width), may_tell);
 }
 
-void DigitalInputs::tell_element(const Width& width, unsigned sub, bool may_tell) {
+void DigitalInputs::report_element(const Width& width, unsigned sub, bool may_tell) {
   Dictionary& dictionary = node_.dictionary();
   const auto number = static_cast<std::uint8_t>(sub);
   const Result<Entry> entry = dictionary.find(width.index, number);
@@ -136,12 +136,12 @@ void DigitalInputs::tell_element(const Width& width, unsigned sub, bool may_tell
   if (value == before) return;
   const std::uint32_t events = events_of_change(dictionary, width.index, number, before, value);
   put(dictionary, *entry, value, may_tell && events != 0);
-  if (width.bytes == 1) tell_bits(sub, value, may_tell ? events : 0);
+  if (width.bytes == 1) report_bits(sub, value, may_tell ? events : 0);
 }
 
 /// Shows the inputs one by one, if the device has objects for that: events are those of the 8-bit
 /// object.
-void DigitalInputs::tell_bits(unsigned group, std::uint32_t value, std::uint32_t events) {
+void DigitalInputs::report_bits(unsigned group, std::uint32_t value, std::uint32_t events) {
   Dictionary& dictionary = node_.dictionary();
   for (unsigned i = 0; i < inputs_of_group; ++i) {
     const unsigned input = (group - 1) * inputs_of_group + i;

@@ -73,10 +73,10 @@ class DigitalInputs {
   void expired(Time now) { look(now); }
   bool filter(DigitalInputGroup& inputs, Time now);
   std::uint8_t filtered(unsigned group) const;
-  void tell_all(Telling telling);
+  void report_all(Telling telling);
   void tell(unsigned group, bool may_tell);
-  void tell_element(const Width& width, unsigned sub, bool may_tell);
-  void tell_bits(unsigned group, std::uint32_t value, std::uint32_t events);
+  void report_element(const Width& width, unsigned sub, bool may_tell);
+  void report_bits(unsigned group, std::uint32_t value, std::uint32_t events);
   const DigitalInputGroup* find_group(unsigned number) const;
   std::uint32_t accepted(unsigned sub, unsigned bytes) const;
 

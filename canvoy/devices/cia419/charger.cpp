@@ -150,7 +150,7 @@ void Charger::control(Time now) {
   node_.timers().arm(timer_, now + settings_.control_period);
   watch_pilot_signal();
   watch_rivals(now);
-  tell_time();
+  report_time();
   if (settings_.manage_network) manage(now);
   remind_battery(now);
   follow_curve();
@@ -217,7 +217,7 @@ void Charger::watch_rivals(Time now) {
 }
 
 /// The service sends the time; this is its clock.
-void Charger::tell_time() {
+void Charger::report_time() {
   if (services_.time_stamp == nullptr) return;
   const std::optional<TimeOfDay> time = hardware_.time_of_day();
   if (time) services_.time_stamp->set_clock(*time);
@@ -364,7 +364,7 @@ void Charger::battery_silent() {
 }
 
 /// An error for each of the two ends that sends PDOs which the other would misread.
-void Charger::tell_misfits(bool present) {
+void Charger::report_misfits(bool present) {
   if (offer_.misfit_tpdos.none() && offer_.misfit_rpdos.none()) return;
   if (present) {
     node_.raise(misfit_error);
@@ -391,7 +391,7 @@ void Charger::check_link(const BatteryOffer& offer) {
     offer_.heartbeat_ms = offer.heartbeat_ms;
     return supervise_battery();
   }
-  tell_misfits(false);
+  report_misfits(false);
   rivals_.leave();
   offer_ = offer;
   link();
@@ -418,7 +418,7 @@ void Charger::link() {
   if (!charging_) returned_.set_raw(offer_.ampere_hours_returned.value_or(0xFFFF));
   commanded_at_ = Time{} - command_interval;
   enter(ChargerPhase::linked);
-  tell_misfits(true);
+  report_misfits(true);
   request_first_values();
 }
 
@@ -457,7 +457,7 @@ void Charger::unlink() {
   link_.cancel();
   rivals_.leave();
   found_ = 0;
-  if (phase_ == ChargerPhase::linked) tell_misfits(false);
+  if (phase_ == ChargerPhase::linked) report_misfits(false);
   if (std::exchange(is_connected_, false)) services_.sdo_requester->release(battery_connection);
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
     configure(static_cast<std::uint16_t>(object_index::rpdo_parameter + position), cob_id_sub,

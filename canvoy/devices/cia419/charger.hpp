@@ -127,7 +127,7 @@ class Charger {
   void control(Time now);
   void watch_pilot_signal();
   void manage(Time now);
-  void tell_time();
+  void report_time();
   void count(Time now);
   void act();
   void follow_curve();
@@ -140,7 +140,7 @@ class Charger {
 
   void search(Duration later = {});
   void link();
-  void tell_misfits(bool present);
+  void report_misfits(bool present);
   void unlink();
   void watch_rivals(Time now);
   void forget_values();

@@ -65,7 +65,7 @@ class Modules {
 
   void add() {
     const IniSection* connected = sheet_.section("ConnectedModules");
-    if (connected == nullptr) return tell_offered();
+    if (connected == nullptr) return report_offered();
     for (const IniSection& section : sheet_.sections) {
       if (const auto part = module_part(section.name)) parts_[part->module].push_back(&section);
     }
@@ -95,7 +95,7 @@ class Modules {
   }
 
   /// The modules of a device are unknown.
-  void tell_offered() {
+  void report_offered() {
     const IniSection* offered = sheet_.section("SupportedModules");
     if (offered == nullptr) return;
     complain(offered->number, offered->name, "no module is plugged in: their objects are not there",

@@ -33,7 +33,7 @@ void beat(Doctor& doctor, Time from, Time until, Duration period, NodeId node = 
 }
 
 /// A server reports its 1016h:01h: node 5 is lost after this number of milliseconds.
-void tell_consumer(Doctor& doctor, Time at, std::uint16_t milliseconds) {
+void report_consumer(Doctor& doctor, Time at, std::uint16_t milliseconds) {
   doctor.hear(at, Frame::data_frame(0x601, {0x40, 0x16, 0x10, 1, 0, 0, 0, 0}));
   doctor.hear(at + 1ms, Frame::data_frame(
                             0x581, {0x43, 0x16, 0x10, 1, static_cast<std::uint8_t>(milliseconds),
@@ -44,7 +44,7 @@ TEST(Doctor, TakesAHeartbeatForMissingBehindTheTimeOfAConsumerAndNotBefore) {
   for (const bool is_over : {false, true}) {
     Doctor sut;
     sut.begin(Time{});
-    tell_consumer(sut, Time(10ms), 1500);
+    report_consumer(sut, Time(10ms), 1500);
     beat(sut, Time(1s), Time(10s), 1s);  // the last one is at 9 s
     sut.hear(Time(9s) + (is_over ? 1501ms : 1500ms), Frame::data_frame(0x705, {5}));
     const Findings findings = sut.findings(Time(11s));

@@ -10,8 +10,8 @@ namespace canvoy::sick {
 namespace {
 
 /// Reports 1800h of the node: type, inhibit time in 100 us, event timer in ms.
-void tell_pdo(Clinic& clinic, ControllerId who, NodeId node, std::uint32_t type,
-              std::uint32_t inhibit, std::uint32_t timer) {
+void report_pdo(Clinic& clinic, ControllerId who, NodeId node, std::uint32_t type,
+                std::uint32_t inhibit, std::uint32_t timer) {
   using object_index::tpdo_parameter;
   // Two devices report the same, at different times.
   const Duration at = 1ms * (200 + 100 * who);
@@ -22,7 +22,7 @@ void tell_pdo(Clinic& clinic, ControllerId who, NodeId node, std::uint32_t type,
 }
 
 /// Reports 1A00h of the node: this number of entries of two bytes.
-void tell_mapping(Clinic& clinic, ControllerId who, NodeId node, std::uint8_t count) {
+void report_mapping(Clinic& clinic, ControllerId who, NodeId node, std::uint8_t count) {
   for (std::uint8_t sub = 1; sub <= count; ++sub) {
     tells(clinic, who, node, 1ms * (300 + 10 * sub), object_index::tpdo_mapping, sub, 4,
           0x2000'0010U + (std::uint32_t{sub} << 8U));
@@ -46,7 +46,7 @@ std::unique_ptr<Clinic> two_rhythms(Duration behind) {
   auto clinic = healthy();
   for (const bool is_second : {false, true}) {
     const ControllerId who = clinic->add();
-    if (!is_second) tell_pdo(*clinic, who, sick_node, 255, 0, 200);
+    if (!is_second) report_pdo(*clinic, who, sick_node, 255, 0, 200);
     clinic->every(200ms, is_second ? 1s + behind : 1s, [at = clinic.get(), who, is_second] {
       at->bus().send(who, pdo(sick_node, {1, static_cast<std::uint8_t>(is_second ? 2 : 1)}));
     });
@@ -61,7 +61,7 @@ std::unique_ptr<Clinic> at_once(std::uint16_t id) {
 }
 
 /// Two nodes report that they send 189h.
-std::unique_ptr<Clinic> told_twice() {
+std::unique_ptr<Clinic> reported_twice() {
   auto clinic = healthy();
   for (const NodeId node : {sick_node, NodeId{10}}) {
     const ControllerId who = clinic->add();
@@ -80,7 +80,7 @@ std::unique_ptr<Clinic> length(std::uint8_t mapped, std::initializer_list<std::u
   const ControllerId who = clinic->add();
   tells(*clinic, who, sick_node, 200ms, object_index::tpdo_parameter, 1, 4,
         can_id::tpdo1 + sick_node);
-  tell_mapping(*clinic, who, sick_node, mapped);
+  report_mapping(*clinic, who, sick_node, mapped);
   for (unsigned i = 0; i < count; ++i) clinic->send(2s + i * 500ms, who, pdo(sick_node, bytes));
   return clinic;
 }
@@ -90,7 +90,7 @@ std::unique_ptr<Clinic> late_behind_sync(Duration behind, std::uint32_t window_u
   auto clinic = healthy();
   const ControllerId master = clinic->add();
   const ControllerId who = clinic->add();
-  tell_pdo(*clinic, who, sick_node, every, 0, 0);
+  report_pdo(*clinic, who, sick_node, every, 0, 0);
   tells(*clinic, who, sick_node, 1500ms, object_index::sync_window, 0, 4, window_us);
   for (unsigned i = 0; i < 500; ++i) {
     const Duration sync = 1s + i * 100ms;
@@ -103,8 +103,8 @@ std::unique_ptr<Clinic> late_behind_sync(Duration behind, std::uint32_t window_u
 }
 
 /// A node that reports 1005h and 1006h (in us).
-void tell_sync(Clinic& clinic, ControllerId who, NodeId node, std::uint32_t cob_id,
-               std::uint32_t period_us) {
+void report_sync(Clinic& clinic, ControllerId who, NodeId node, std::uint32_t cob_id,
+                 std::uint32_t period_us) {
   const Duration at = 1ms * (1000 + 100 * who);
   tells(clinic, who, node, at, object_index::cob_id_sync, 0, 4, cob_id);
   tells(clinic, who, node, at + 20ms, object_index::sync_period, 0, 4, period_us);
@@ -127,7 +127,7 @@ std::unique_ptr<Clinic> two_syncs(Duration behind, std::uint8_t counter, bool ar
   for (const bool is_second : {false, true}) {
     const std::uint8_t start = counter == 0 || !is_second ? counter : 100;
     const ControllerId who = add_sync(*clinic, is_second ? 2s + behind : 2s, start);
-    if (are_told) tell_sync(*clinic, who, is_second ? NodeId{10} : sick_node, produced, 100'000);
+    if (are_told) report_sync(*clinic, who, is_second ? NodeId{10} : sick_node, produced, 100'000);
   }
   return clinic;
 }
@@ -135,24 +135,24 @@ std::unique_ptr<Clinic> two_syncs(Duration behind, std::uint8_t counter, bool ar
 std::unique_ptr<Clinic> second_producer_waits() {
   auto clinic = healthy();
   const ControllerId who = add_sync(*clinic, 2s);
-  tell_sync(*clinic, who, sick_node, produced, 100'000);
-  tell_sync(*clinic, clinic->add(), 10, produced, 100'000);
+  report_sync(*clinic, who, sick_node, produced, 100'000);
+  report_sync(*clinic, clinic->add(), 10, produced, 100'000);
   return clinic;
 }
 /// Its period differs from the reported one.
 std::unique_ptr<Clinic> sync_of_another_period(Duration period) {
   auto clinic = healthy();
   const ControllerId who = add_sync(*clinic, 2s, 0, period);
-  tell_sync(*clinic, who, sick_node, produced, 100'000);
+  report_sync(*clinic, who, sick_node, produced, 100'000);
   return clinic;
 }
 /// A node with a synchronous PDO waits for 081h.
 std::unique_ptr<Clinic> waits_for_another_sync() {
   auto clinic = healthy();
   const ControllerId producer = add_sync(*clinic, 2s);
-  tell_sync(*clinic, producer, 10, produced, 100'000);
+  report_sync(*clinic, producer, 10, produced, 100'000);
   const ControllerId who = clinic->add();
-  tell_pdo(*clinic, who, sick_node, 1, 0, 0);
+  report_pdo(*clinic, who, sick_node, 1, 0, 0);
   tells(*clinic, who, sick_node, 1900ms, object_index::cob_id_sync, 0, 4, 0x81);
   return clinic;
 }
@@ -160,7 +160,7 @@ std::unique_ptr<Clinic> waits_for_another_sync() {
 std::unique_ptr<Clinic> hasty(std::uint32_t inhibit, Duration interval, unsigned count) {
   auto clinic = healthy();
   const ControllerId who = clinic->add();
-  tell_pdo(*clinic, who, sick_node, 254, inhibit, 0);
+  report_pdo(*clinic, who, sick_node, 254, inhibit, 0);
   for (unsigned i = 0; i < count; ++i)
     clinic->send(5s + i * interval, who,
                  pdo(sick_node, {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i % 3)}));
@@ -179,7 +179,7 @@ std::vector<SickBusRow> pdo_rows() {
       {"TwoRhythmsHalfAPeriodApart", cob_id_twice, sick_node, 0x189,
        [] { return two_rhythms(100ms); }},
       {"TwoSendATpdoAtOnce", cob_id_twice, sick_node, 0x289, [] { return at_once(0x289); }},
-      {"TwoAreToldToSendIt", cob_id_twice, sick_node, 0x189, told_twice},
+      {"TwoAreToldToSendIt", cob_id_twice, sick_node, 0x189, reported_twice},
       {"TwoSyncInTwoRhythms", sync_twice, 0, 0x080, [] { return two_syncs(30ms, 0, false); }},
       {"TwoSyncHalfAPeriodApartThatTellIt", sync_twice, 0, 0x080,
        [] { return two_syncs(50ms, 0, true); }},

@@ -87,8 +87,8 @@ class Boot {
   }
   std::string name_of(NodeId slave) const;
   std::string letters_of(NodeId slave) const;
-  std::string told_before(NodeId slave, BootError now) const;
-  void tell_strangers() const;
+  std::string reported_before(NodeId slave, BootError now) const;
+  void report_strangers() const;
   double seconds() { return std::chrono::duration<double>(node().now() - begin_).count(); }
 
   const BootPlan& plan_;
@@ -118,7 +118,7 @@ std::string Boot::letters_of(NodeId slave) const {
 }
 
 /// Errors reported for a slave beside the present one.
-std::string Boot::told_before(NodeId slave, BootError now) const {
+std::string Boot::reported_before(NodeId slave, BootError now) const {
   std::string text;
   const auto told = letters_.find(slave);
   if (told == letters_.end()) return text;
@@ -131,7 +131,7 @@ std::string Boot::told_before(NodeId slave, BootError now) const {
 }
 
 /// Nodes with a report that are no slaves.
-void Boot::tell_strangers() const {
+void Boot::report_strangers() const {
   for (const auto& [node, told] : letters_) {
     if (std::ranges::find(plan_.slaves, node, &SlavePlan::id) != plan_.slaves.end()) continue;
     for (const BootError error : told) {
@@ -228,12 +228,12 @@ void Boot::summarise() {
     const bool is_left_up = is_up(slave.id);
     const std::string state =
         (is_left_up ? "up" : boot_reason(last)) +
-        told_before(slave.id, is_left_up ? BootError::none : last.outcome.error);
+        reported_before(slave.id, is_left_up ? BootError::none : last.outcome.error);
     fmt::print("{:<20} {:<9} {}\n", name_of(slave.id),
                slave.is_mandatory ? "mandatory" : "optional",
                error == BootError::none && !is_up(slave.id) ? "not finished" : state);
   }
-  if (!json_) tell_strangers();
+  if (!json_) report_strangers();
   if (json_) {
     const nlohmann::ordered_json line = {
         {"time", seconds()}, {"event", "summary"}, {"complete", is_good()}, {"slaves", slaves}};

@@ -60,8 +60,8 @@ void add_address(JsonEvent& event, const LssAddress& address) {
     event->key(parts.at(i)).text(fmt::format("{:08X}", address.parts.at(i)));
 }
 
-void tell_setting(const LssOptions& options, std::string_view what, std::uint32_t value,
-                  const std::string& text) {
+void report_setting(const LssOptions& options, std::string_view what, std::uint32_t value,
+                    const std::string& text) {
   if (!options.json) return say(text + (options.store ? ", stored" : ""));
   JsonEvent event("configured");
   if (value == 0) {
@@ -253,8 +253,9 @@ int set_node_id(const LssOptions& options) {
   const NodeId before = node->inquire_node_id();
   node->configure_node_id(id);
   if (options.store) node->store();
-  tell_setting(options, "node", id == node_id_unconfigured ? 0 : id,
-               id == node_id_unconfigured ? "no node-ID is set" : text::node_text(id) + " is set");
+  report_setting(
+      options, "node", id == node_id_unconfigured ? 0 : id,
+      id == node_id_unconfigured ? "no node-ID is set" : text::node_text(id) + " is set");
   if (!options.json && is_node_id(before) && id != before) {
     say(fmt::format("{} takes it at the next reset: canvoy nmt {} {} reset-communication",
                     text::node_text(before), options.bus, before));
@@ -268,7 +269,7 @@ int set_bit_rate(const LssOptions& options) {
   node->configure_bit_timing(index);
   if (options.store) node->store();
   const std::uint32_t bit_rate = lss_bit_timing::bit_rate(index);
-  tell_setting(
+  report_setting(
       options, "bit_rate", bit_rate,
       bit_rate == 0 ? "the bit rate is to be found" : fmt::format("{} bit/s are set", bit_rate));
   return exit_done;

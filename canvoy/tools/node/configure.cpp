@@ -38,7 +38,7 @@ int check_only(const std::vector<ConfigurationEntry>& entries) {
   return exit_done;
 }
 
-void tell_written(NodeId node, const ConfigurationEntry& entry) {
+void report_written(NodeId node, const ConfigurationEntry& entry) {
   std::string line;
   text::JsonLine json(line);
   json.begin_object();
@@ -62,7 +62,7 @@ void write_all(const ConfigureOptions& options, Session& session, NodeId node,
     }
     ++written;
     if (options.json) {
-      tell_written(node, entry);
+      report_written(node, entry);
       continue;
     }
     fmt::print("{:>{}}/{}  {}  {}\n", written, fmt::formatted_size("{}", entries.size()),
@@ -89,9 +89,9 @@ std::string address_text(const ConfigurationEntry& entry) {
 }
 
 /// Reports an entry of the file beside the value of the node.
-void tell_difference(const ConfigureOptions& options, const RemoteObject& object,
-                     const std::optional<std::vector<std::uint8_t>>& held,
-                     std::span<const std::uint8_t> wanted) {
+void report_difference(const ConfigureOptions& options, const RemoteObject& object,
+                       const std::optional<std::vector<std::uint8_t>>& held,
+                       std::span<const std::uint8_t> wanted) {
   if (!options.json) {
     const ObjectAddress& place = object.address();
     const std::string was = held ? text::value_text(object.entry(), *held) : "not there";
@@ -122,7 +122,7 @@ int compare_all(const ConfigureOptions& options, Session& session, NodeId node,
     const Result<std::vector<std::uint8_t>> held = session.try_read(node, entry.index, entry.sub);
     if (held && *held == entry.value) continue;
     const RemoteObject object(session, node, address_text(entry), profile);
-    tell_difference(options, object, held ? std::optional(*held) : std::nullopt, entry.value);
+    report_difference(options, object, held ? std::optional(*held) : std::nullopt, entry.value);
     ++differences;
   }
   if (!options.json) {

@@ -56,8 +56,8 @@ Verdict judge(const ExpectOptions& options, const Expectation& expected, const R
   }
 }
 
-void tell_verdict(const ExpectOptions& options, const RemoteObject& object, const Verdict& verdict,
-                  const std::string& text) {
+void report_verdict(const ExpectOptions& options, const RemoteObject& object,
+                    const Verdict& verdict, const std::string& text) {
   if (!options.json) {
     if (verdict.held) {
       fmt::print("PASS {}, expected {}\n", text, fmt::join(options.words, " "));
@@ -87,7 +87,7 @@ int expect_value(const ExpectOptions& options, Sessions& sessions) {
   const Verdict verdict = judge(options, expected, object, session);
   const std::string said =
       fmt::format("{}: {} = {}", text::node_text(node), object.name(), object.text(verdict.bytes));
-  tell_verdict(options, object, verdict, said);
+  report_verdict(options, object, verdict, said);
   if (verdict.held) return exit_done;
   const bool was_waited_for = expected.within || expected.holding;
   const std::string when =

@@ -127,7 +127,7 @@ std::string reached_text(const NmtWord& wanted, bool reached, NmtState said) {
   return fmt::format("is {}{}", reached ? "" : "still ", text::nmt_state_text(said));
 }
 
-void tell_nmt(const NmtOptions& options, NodeId node, NmtState state, std::string_view text) {
+void report_nmt(const NmtOptions& options, NodeId node, NmtState state, std::string_view text) {
   if (!options.json) {
     fmt::print("{} {}\n", text::node_text(node), text);
     return;
@@ -169,7 +169,7 @@ int command_nodes(const NmtOptions& options, Sessions& sessions) {
   bool all = true;
   for (const auto& [id, state] : watch.said()) {
     const bool reached = watch.has_reached(id);
-    tell_nmt(options, id, state, reached_text(wanted, reached, state));
+    report_nmt(options, id, state, reached_text(wanted, reached, state));
     all = all && reached;
   }
   return all ? exit_done : exit_failed;

@@ -86,8 +86,8 @@ void tell(const WriteOptions& options, const RemoteObject& object, const OldByte
   fmt::print("{}: {} -> {}\n", object.name(), was, text::value_text(object.entry(), now));
 }
 
-void tell_file(const WriteOptions& options, NodeId node, const ObjectAddress& object,
-               std::size_t bytes) {
+void report_file(const WriteOptions& options, NodeId node, const ObjectAddress& object,
+                 std::size_t bytes) {
   if (!options.json) {
     fmt::print("{}: {} bytes written\n", printed_name(object), bytes);
     return;
@@ -110,7 +110,7 @@ int write_file(const WriteOptions& options, Sessions& sessions) {
   session.choose(transfer_of(options));
   session.show_progress();
   session.write(node, object.index, object.sub, bytes);
-  tell_file(options, node, object, bytes.size());
+  report_file(options, node, object, bytes.size());
   return exit_done;
 }
 

@@ -105,7 +105,7 @@ void HeardNodes::note(Time now, const BusEvent& event) {
       }
       if constexpr (std::is_same_v<Seen, EmergencySeen>) said.error_register = seen.error_register;
     }
-    tell_(told_at(now, told(*names_, seen)));
+    tell_(reported_at(now, told(*names_, seen)));
   };
   std::visit(say, event);
 }
@@ -128,8 +128,8 @@ void HeardNodes::look(Duration now) {
               {"bus", buses_[bus]->name},
               {"node", node},
               {"text", text}};
-    tell_(told_at(Time{} + now,
-                  Told(fmt::format("{}: {}", names_->device(bus, node), text), std::move(json))));
+    tell_(reported_at(Time{} + now, Told(fmt::format("{}: {}", names_->device(bus, node), text),
+                                         std::move(json))));
   }
 }
 

@@ -76,7 +76,8 @@ LiveSource::Json LiveBus::description() {
 
 void LiveBus::tell(std::string_view event, const std::string& text) {
   const Time now = Time{} + loop_.epoch() + loop_.now().time_since_epoch();
-  events_.add(told_at(now, Told(text, {{"event", event}, {"bus", bus_->name()}, {"text", text}})));
+  events_.add(
+      reported_at(now, Told(text, {{"event", event}, {"bus", bus_->name()}, {"text", text}})));
 }
 
 void LiveBus::look_back() {

@@ -182,7 +182,7 @@ LiveSource::Json LiveSource::history(const Json& arguments) {
 
 std::unique_ptr<FrameStream> LiveSource::watch(const std::string& filter, bool is_anew) const {
   const std::uint64_t end = feed_.end();
-  const std::uint64_t since = is_anew ? 0 : end - std::min(end, told_before);
+  const std::uint64_t since = is_anew ? 0 : end - std::min(end, reported_before);
   return std::make_unique<FrameReader>(feed_, filter, since);
 }
 

@@ -12,7 +12,7 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/tools/page/frame_feed.hpp"
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 
 namespace canvoy::tools {
 
@@ -80,7 +80,7 @@ class LiveSource {
   std::uint64_t run() const { return run_; }
   /// Frames through a filter, for one viewer. Includes this many earlier frames, or all frames of a
   /// restarted run. Throws UsageError for an invalid filter.
-  static constexpr std::uint64_t told_before = 20'000;
+  static constexpr std::uint64_t reported_before = 20'000;
   virtual std::unique_ptr<FrameStream> watch(const std::string& filter, bool is_anew) const;
 
  protected:

@@ -187,7 +187,7 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
 
 ToldEvent WorldText<bus_line::BusNetwork>::event(const NetworkEvent& event,
                                                  const BusNetwork& network) {
-  return told_at(event.at, std::visit(BusTeller(network.options()), event.what));
+  return reported_at(event.at, std::visit(BusTeller(network.options()), event.what));
 }
 
 std::string WorldText<bus_line::BusNetwork>::picture(BusNetwork& network, double speed) {

@@ -43,7 +43,7 @@ std::string node_rows(const ChargerSnapshot& now) {
 
 ToldEvent WorldText<charger::ChargerNetwork>::event(const ChargerEvent& event,
                                                     const ChargerNetwork& network) {
-  return told_at(
+  return reported_at(
       event.at, std::visit(ChargerTeller(network.options(), network.options().faults), event.what));
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/worlds/charger/charger_network.hpp"
 
 namespace canvoy::tools {

@@ -100,7 +100,7 @@ class ExcavatorTeller : public WorldTeller<ExcavatorNames> {
   Told fault(bool begins, const Event& event) const {
     const unsigned axis = names_.axis(event.fault);
     const std::string at = axis != 0 ? fmt::format("at axis {}", axis) : where(event.place);
-    return told_fault(names_, begins, fault_name(event.kind), event.place, at);
+    return reported_fault(names_, begins, fault_name(event.kind), event.place, at);
   }
 };
 
@@ -182,7 +182,7 @@ std::string_view activity_text(excavator::Activity activity) {
 
 ToldEvent WorldText<excavator::ExcavatorNetwork>::event(const ExcavatorEvent& event,
                                                         const ExcavatorNetwork& network) {
-  return told_at(event.at, std::visit(ExcavatorTeller(network), event.what));
+  return reported_at(event.at, std::visit(ExcavatorTeller(network), event.what));
 }
 
 Json WorldText<excavator::ExcavatorNetwork>::snapshot(ExcavatorNetwork& network) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/worlds/excavator/excavator_network.hpp"
 
 namespace canvoy::tools {

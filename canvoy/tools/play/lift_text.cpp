@@ -245,7 +245,7 @@ class LiftTeller : public WorldTeller<LiftNames> {
   }
   template <class Event>
   Told fault(bool begins, const Event& event) const {
-    return told_fault(names_, begins, fault_name(event.kind), event.place, place_text(event));
+    return reported_fault(names_, begins, fault_name(event.kind), event.place, place_text(event));
   }
   /// `at lift2: lift-landing-panel (24), floor 4`
   template <class Event>
@@ -338,8 +338,8 @@ Json building_json(const LiftNetworkDescription& network) {
           {"destination_control", network.people.destination_control}};
 }
 
-ToldEvent told_event(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
-  return told_at(event.at, std::visit(LiftTeller(network), event.what));
+ToldEvent reported_event(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  return reported_at(event.at, std::visit(LiftTeller(network), event.what));
 }
 
 Json lift_snapshot_json(const LiftNetworkDescription& network,
@@ -477,7 +477,7 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
 using LiftText = WorldText<lift::LiftNetwork>;
 
 ToldEvent LiftText::event(const lift::LiftEvent& event, const lift::LiftNetwork& network) {
-  return told_event(event, network.description());
+  return reported_event(event, network.description());
 }
 
 /// As many rows of floors as a terminal has room for, beside the surroundings and some events.

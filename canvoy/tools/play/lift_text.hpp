@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/worlds/lift/lift_event.hpp"
 #include "canvoy/worlds/lift/lift_network.hpp"
 #include "canvoy/worlds/lift/lift_network_description.hpp"
@@ -14,7 +14,7 @@
 namespace canvoy::tools {
 
 /// Text of an event: `lift 2 stops at floor 7`.
-ToldEvent told_event(const lift::LiftEvent& event, const lift::LiftNetworkDescription& network);
+ToldEvent reported_event(const lift::LiftEvent& event, const lift::LiftNetworkDescription& network);
 
 /// Floors and lifts, for drawing.
 nlohmann::ordered_json building_json(const lift::LiftNetworkDescription& network);

@@ -19,7 +19,7 @@ lift::LiftNetworkDescription house() {
 }
 
 std::string words(const decltype(LiftEvent::what)& what) {
-  return told_event(LiftEvent{Time(1s), what}, house()).text;
+  return reported_event(LiftEvent{Time(1s), what}, house()).text;
 }
 
 lift::LiftNetworkSnapshot some_moment() {
@@ -111,7 +111,7 @@ TEST(LiftText, SaysWhereAFaultIs) {
   lift::LiftNetworkDescription network = house();
   network.faults.faults = {{.kind = lift::FaultKind::stuck_button, .spot = 2}};
   const auto told = [&](lift::FaultKind kind, const FaultPlace& place, std::size_t fault = 1) {
-    return told_event(LiftEvent{.what = lift::FaultBegan{fault, kind, place}}, network).text;
+    return reported_event(LiftEvent{.what = lift::FaultBegan{fault, kind, place}}, network).text;
   };
   using enum lift::FaultKind;
   EXPECT_EQ(told(dead_encoder, {1, 0, 4}),
@@ -131,7 +131,7 @@ TEST(LiftText, SaysWhereAFaultIs) {
 TEST(LiftText, SaysWhereAFaultIsAsJson) {
   const lift::FaultBegan began{0, lift::FaultKind::dead_encoder, {1, 0, 4}};
   const auto json =
-      nlohmann::ordered_json::parse(told_event(LiftEvent{.what = began}, house()).json);
+      nlohmann::ordered_json::parse(reported_event(LiftEvent{.what = began}, house()).json);
   EXPECT_EQ(json["event"], "fault-begins");
   EXPECT_EQ(json["fault"], "dead-encoder");
   EXPECT_EQ(json["lift"], 1);

@@ -231,7 +231,7 @@ Json call_json(const police::EmergencyCall& call) {
 
 ToldEvent WorldText<police::PoliceNetwork>::event(const PoliceEvent& event,
                                                   const PoliceNetwork& network) {
-  return told_at(event.at, std::visit(PoliceTeller(network), event.what));
+  return reported_at(event.at, std::visit(PoliceTeller(network), event.what));
 }
 
 std::string WorldText<police::PoliceNetwork>::picture(PoliceNetwork& network, double speed) {

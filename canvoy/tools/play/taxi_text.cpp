@@ -244,7 +244,7 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
 }  // namespace
 
 ToldEvent WorldText<taxi::TaxiNetwork>::event(const TaxiEvent& event, const TaxiNetwork& network) {
-  return told_at(event.at, std::visit(TaxiTeller(network), event.what));
+  return reported_at(event.at, std::visit(TaxiTeller(network), event.what));
 }
 
 std::string WorldText<taxi::TaxiNetwork>::picture(TaxiNetwork& network, double speed) {

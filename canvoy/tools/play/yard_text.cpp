@@ -80,7 +80,7 @@ std::string_view moved_name(const VehicleMoved& moved) {
   return moved.to == VehiclePlace::plugged ? "battery-plugged" : "battery-unplugged";
 }
 
-Told told_move(const VehicleMoved& moved) {
+Told reported_move(const VehicleMoved& moved) {
   const std::string text = moved_text(moved);
   return {fmt::format("bay {}: {}", moved.bay, text),
           {{"event", moved_name(moved)},
@@ -90,7 +90,7 @@ Told told_move(const VehicleMoved& moved) {
            {"text", text}}};
 }
 
-Told told_event(const YardEvent& event, const ChargingYard& yard) {
+Told reported_event(const YardEvent& event, const ChargingYard& yard) {
   if (const auto* of_bay = std::get_if<charger::ChargerEvent>(&event.what)) {
     Told told = std::visit(
         ChargerTeller(yard.bay(event.bay - 1).options(), yard.options().bay.faults, event.bay),
@@ -101,10 +101,10 @@ Told told_event(const YardEvent& event, const ChargingYard& yard) {
     }
     return told;
   }
-  if (const auto* moved = std::get_if<VehicleMoved>(&event.what)) return told_move(*moved);
+  if (const auto* moved = std::get_if<VehicleMoved>(&event.what)) return reported_move(*moved);
   const Judged broken =
       judged(std::get<canvoy::InvariantBroken<YardInvariantKind>>(event.what).invariant);
-  return told_broken(YardNames(yard, part_of(broken)), broken);
+  return reported_broken(YardNames(yard, part_of(broken)), broken);
 }
 
 std::string goal_text(const ChargingYard& yard) {
@@ -218,7 +218,7 @@ std::vector<Judged> judged_of(const ChargingYard& yard) {
 }
 
 ToldEvent WorldText<ChargingYard>::event(const YardEvent& event, const ChargingYard& yard) {
-  return told_at(event.at, told_event(event, yard));
+  return reported_at(event.at, reported_event(event, yard));
 }
 
 std::string WorldText<ChargingYard>::picture(ChargingYard& yard, double speed) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/tools/player/world_text.hpp"
 #include "canvoy/worlds/charger/charging_yard.hpp"
 

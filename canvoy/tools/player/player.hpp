@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "canvoy/sim/world.hpp"
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/tools/player/world_text.hpp"
 
 namespace canvoy::tools {

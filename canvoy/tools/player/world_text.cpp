@@ -46,7 +46,7 @@ Json json_of(const WorldNames& names, std::string_view name, const Event& event)
 }
 
 /// With the text at the end.
-Told told_of(const std::string& who, const std::string& what, Json json) {
+Told reported_of(const std::string& who, const std::string& what, Json json) {
   Told told{fmt::format("{}: {}", who, what), std::move(json)};
   told.json()["text"] = what;
   return told;
@@ -68,22 +68,23 @@ std::string ToldEvent::line() const {
   return fmt::format("{:>20}  {}\n", text::duration_text(at - Time{}), text);
 }
 
-ToldEvent told_at(Time at, Told told) {
+ToldEvent reported_at(Time at, Told told) {
   Json json{{"time", in_seconds(at - Time{})}};
   json.update(told.json());
   return {at, std::move(told.text), json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
 Told told(const WorldNames& names, const BootedUp& event) {
-  return told_of(names.device(event.bus, event.node), "boot-up", json_of(names, "boot-up", event));
+  return reported_of(names.device(event.bus, event.node), "boot-up",
+                     json_of(names, "boot-up", event));
 }
 
 Told told(const WorldNames& names, const NmtStateSeen& event) {
   const std::string_view state = text::nmt_state_text(event.state);
   Json json = json_of(names, "nmt-state", event);
   json["state"] = state;
-  return told_of(names.device(event.bus, event.node), fmt::format("NMT state {}", state),
-                 std::move(json));
+  return reported_of(names.device(event.bus, event.node), fmt::format("NMT state {}", state),
+                     std::move(json));
 }
 
 Told told(const WorldNames& names, const NmtCommandSeen& event) {
@@ -91,7 +92,7 @@ Told told(const WorldNames& names, const NmtCommandSeen& event) {
   const std::string who = event.node == 0 ? "all" : names.device(event.bus, event.node);
   Json json = json_of(names, "nmt-command", event);
   json["command"] = command;
-  return told_of("NMT command to " + who, std::string(command), std::move(json));
+  return reported_of("NMT command to " + who, std::string(command), std::move(json));
 }
 
 Told told(const WorldNames& names, const EmergencySeen& event) {
@@ -103,15 +104,15 @@ Told told(const WorldNames& names, const EmergencySeen& event) {
     text =
         event.error_register == 0 ? "emergency: no error any more" : "emergency: an error is gone";
   }
-  return told_of(names.device(event.bus, event.node), text, std::move(json));
+  return reported_of(names.device(event.bus, event.node), text, std::move(json));
 }
 
 Told told(const WorldNames& names, const BusStateChanged& event) {
   const std::string_view state = text::bus_state_text(event.state);
   Json json = json_of(names, "can-state", event);
   json["state"] = state;
-  return told_of(names.device(event.bus, event.node), fmt::format("CAN controller {}", state),
-                 std::move(json));
+  return reported_of(names.device(event.bus, event.node), fmt::format("CAN controller {}", state),
+                     std::move(json));
 }
 
 Told told(const WorldNames& names, const HandActed& event) {
@@ -122,8 +123,8 @@ Told told(const WorldNames& names, const HandActed& event) {
   return told;
 }
 
-Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
-                const FaultPlace& place, std::string_view where) {
+Told reported_fault(const WorldNames& names, bool begins, std::string_view fault,
+                    const FaultPlace& place, std::string_view where) {
   Told told{fmt::format("{}: {}{}{}", begins ? "FAULT begins" : "fault ends", fault,
                         where.empty() ? "" : " ", where),
             {{"event", begins ? "fault-begins" : "fault-ends"}, {"fault", fault}}};
@@ -161,7 +162,7 @@ Json invariant_json(const WorldNames& names, const Judged& invariant) {
   return json;
 }
 
-Told told_broken(const WorldNames& names, const Judged& invariant) {
+Told reported_broken(const WorldNames& names, const Judged& invariant) {
   Told told{"FAIL: " + invariant_text(names, invariant), {{"event", "broken"}}};
   told.json().update(invariant_json(names, invariant));
   told.json()["text"] = told.text;

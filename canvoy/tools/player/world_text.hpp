@@ -17,7 +17,7 @@
 #include "canvoy/sim/hand_acted.hpp"
 #include "canvoy/sim/invariant.hpp"
 #include "canvoy/sim/snapshot.hpp"
-#include "canvoy/tools/player/told_event.hpp"
+#include "canvoy/tools/player/reported_event.hpp"
 
 namespace canvoy::tools {
 
@@ -89,7 +89,7 @@ class Told {
  private:
   std::unique_ptr<Json> json_;
 };
-ToldEvent told_at(Time at, Told told);
+ToldEvent reported_at(Time at, Told told);
 Told told(const WorldNames& names, const BootedUp& event);
 Told told(const WorldNames& names, const NmtStateSeen& event);
 Told told(const WorldNames& names, const NmtCommandSeen& event);
@@ -97,8 +97,8 @@ Told told(const WorldNames& names, const EmergencySeen& event);
 Told told(const WorldNames& names, const BusStateChanged& event);
 Told told(const WorldNames& names, const HandActed& event);
 /// `where` is a place in words: `at lift2: lift-drive (2)`.
-Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
-                const FaultPlace& place, std::string_view where);
+Told reported_fault(const WorldNames& names, bool begins, std::string_view fault,
+                    const FaultPlace& place, std::string_view where);
 
 /// An invariant of any world.
 using Judged = Invariant<const InvariantRow*>;
@@ -109,7 +109,7 @@ Judged judged(const Invariant<Kind>& it) {
 /// Text of an invariant: `lift 1: longest wait 62 s, 300 s allowed`.
 std::string invariant_text(const WorldNames& names, const Judged& invariant);
 Json invariant_json(const WorldNames& names, const Judged& invariant);
-Told told_broken(const WorldNames& names, const Judged& invariant);
+Told reported_broken(const WorldNames& names, const Judged& invariant);
 /// Lines such as `  PASS  longest wait ...`.
 template <class Kind>
 std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all);
@@ -134,15 +134,15 @@ class WorldTeller {
   }
   template <class Kind>
   Told operator()(const FaultBegan<Kind>& event) const {
-    return told_fault(names_, true, fault_name(event.kind), event.place, where(event.place));
+    return reported_fault(names_, true, fault_name(event.kind), event.place, where(event.place));
   }
   template <class Kind>
   Told operator()(const FaultEnded<Kind>& event) const {
-    return told_fault(names_, false, fault_name(event.kind), event.place, where(event.place));
+    return reported_fault(names_, false, fault_name(event.kind), event.place, where(event.place));
   }
   template <class Kind>
   Told operator()(const InvariantBroken<Kind>& event) const {
-    return told_broken(names_, judged(event.invariant));
+    return reported_broken(names_, judged(event.invariant));
   }
 
  protected:

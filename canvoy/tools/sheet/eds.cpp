@@ -151,7 +151,7 @@ void write_text(const std::string& path, const std::string& text) {
   write_value_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-void tell_written(const std::string& path, const formats::DataSheet& sheet) {
+void report_written(const std::string& path, const formats::DataSheet& sheet) {
   JsonEvent event("written");
   event->key("file").text(path);
   event->key("objects").number(sheet.objects.size());
@@ -170,12 +170,12 @@ int export_to(const ExportOptions& options, const std::string& out, bool json) {
     fmt::print("{}", formats::write_eds(sheet));
   } else {
     write_text(out, sheet_text(sheet, out));
-    if (json) tell_written(out, sheet);
+    if (json) report_written(out, sheet);
   }
   return exit_done;
 }
 
-void tell_finding(const std::string& path, const formats::Finding& finding) {
+void report_finding(const std::string& path, const formats::Finding& finding) {
   JsonEvent event("finding");
   event->key("file").text(path);
   if (finding.line != 0) event->key("line").number(finding.line);
@@ -194,7 +194,7 @@ int check(const std::string& path, const std::string& profile_name, bool json) {
   formats::check_sheet(sheet, profile, findings);
   for (const formats::Finding& finding : findings) {
     if (json) {
-      tell_finding(path, finding);
+      report_finding(path, finding);
     } else {
       fmt::print("{}\n", finding_text(path, finding));
     }
@@ -214,7 +214,7 @@ int check(const std::string& path, const std::string& profile_name, bool json) {
   return errors == 0 ? exit_done : exit_failed;
 }
 
-void tell_difference(const formats::Difference& difference) {
+void report_difference(const formats::Difference& difference) {
   JsonEvent event("difference");
   event->key("place").text(difference.place);
   if (!difference.key.empty()) event->key("key").text(difference.key);
@@ -231,7 +231,7 @@ int compare(const std::string& first, const std::string& second, bool json) {
   const auto side = [](const std::string& text) { return text.empty() ? "-" : text; };
   for (const formats::Difference& difference : differences) {
     if (json) {
-      tell_difference(difference);
+      report_difference(difference);
       continue;
     }
     const std::string line = fmt::format("[{}]{}: {} | {}", difference.place,
@@ -256,7 +256,7 @@ int write_concise(const std::string& from, const std::string& to, bool json) {
   return exit_done;
 }
 
-void tell_lost(const std::string& path, const formats::Difference& lost) {
+void report_lost(const std::string& path, const formats::Difference& lost) {
   JsonEvent event("lost");
   event->key("file").text(path);
   event->key("place").text(lost.place);
@@ -274,13 +274,13 @@ int convert(const std::string& from, const std::string& to, bool json) {
   for (const formats::Difference& lost : compare_sheets(sheet, read_sheet_file(to, findings))) {
     if (lost.first.empty()) continue;  // nothing was said
     if (json) {
-      tell_lost(to, lost);
+      report_lost(to, lost);
       continue;
     }
     fmt::print("{} does not hold {}\n", to,
                formats::plain_text(fmt::format("[{}] {}: {}", lost.place, lost.key, lost.first)));
   }
-  if (json) tell_written(to, sheet);
+  if (json) report_written(to, sheet);
   return exit_done;
 }
 

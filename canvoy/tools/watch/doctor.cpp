@@ -61,7 +61,7 @@ class Surgery {
       return nullptr;
     }
     auto made = std::make_unique<text::Doctor>(text::DoctorOptions{.bit_rate = bit_rate_});
-    told_.tell_network(bus, made->network());
+    told_.report_network(bus, made->network());
     for (const FramePrinter::SheetOfNode& sheet : told_.sheets_of_nodes()) {
       if (sheet.bus.empty() || sheet.bus == bus) made->add_sheet(sheet.node, sheet.sheet);
     }
@@ -84,13 +84,13 @@ class Surgery {
                  text::report_text(name, doctor->observed(), findings));
       is_first = false;
     }
-    tell_unjudged();
+    report_unjudged();
     if (worst == text::Severity::error) return exit_sick;
     return worst == text::Severity::warning ? exit_warned : exit_done;
   }
 
  private:
-  void tell_unjudged() const {
+  void report_unjudged() const {
     if (left_out_ != 0) {
       print_message(fmt::format("frames of more than {} buses are left out", buses_max));
     }

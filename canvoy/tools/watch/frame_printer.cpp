@@ -279,11 +279,11 @@ FramePrinter::Bus& FramePrinter::bus_of(std::string_view name) {
 
 std::unique_ptr<FramePrinter::Bus> FramePrinter::make_bus(std::string_view name) {
   auto made = std::make_unique<Bus>(name, said_);
-  tell_network(name, made->decoder.network());
+  report_network(name, made->decoder.network());
   return made;
 }
 
-void FramePrinter::tell_network(std::string_view bus, decoder::Network& network) {
+void FramePrinter::report_network(std::string_view bus, decoder::Network& network) {
   network = any_bus_;
   for (Given& given : given_) {
     if (given.bus != bus) continue;

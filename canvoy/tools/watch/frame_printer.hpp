@@ -87,7 +87,7 @@ class FramePrinter {
   }
 
   /// Passes the options to the decoder of a bus. This must outlive it.
-  void tell_network(std::string_view bus, decoder::Network& network);
+  void report_network(std::string_view bus, decoder::Network& network);
   /// A data sheet from `--eds 5=FILE`.
   struct SheetOfNode {
     std::string bus = {};  ///< empty: all buses

@@ -157,14 +157,14 @@ class BusMonitor {
     } else {
       if (words != nullptr) printer_.append_words(lines_.lines(), time, bus, heard.frame, *words);
       lines_.flush();
-      tell_unknown();
+      report_unknown();
     }
     if (log_) check(log_->write(heard.time, bus, heard.frame));
     if (words != nullptr && ++shown_ == options_.count) session_.loop().stop();
   }
 
   /// Reports each node once, beside the output.
-  void tell_unknown() {
+  void report_unknown() {
     if (options_.ask || options_.printer.json) return;
     const std::string text = nodes_.next_untold();
     if (!text.empty()) print_message(text);

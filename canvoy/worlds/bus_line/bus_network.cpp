@@ -316,8 +316,8 @@ void BusNetwork::step(Time now) {
   stop_requests_.look(now);
   judge(now);
   if (!referee_.has_news()) return;
-  told_.tell_broken(invariants(),
-                    [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
+  told_.report_broken(invariants(),
+                      [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
 }
 
 void BusNetwork::judge(Time now) {

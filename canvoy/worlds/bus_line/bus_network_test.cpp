@@ -54,7 +54,7 @@ std::string clock_of(BusNetwork& network) {
 }
 
 /// 610Eh as received by the ticket canceller.
-std::string told_clock(BusNetwork& network) {
+std::string reported_clock(BusNetwork& network) {
   const auto time = cia407::local_time(Values(network.node(canceller_id).node().dictionary()));
   return time ? clock_text(*time) : "none";
 }
@@ -64,10 +64,10 @@ TEST(BusNetwork, SummerTimeBeginsInTheNight) {
   BusNetwork network(night(std::chrono::year(2026) / 3 / 28, 1'774'746'000, 1h + 40min, 1, 2));
   network.run_until(Time(24min + 30s));
   EXPECT_EQ(clock_of(network), "3-29 1:59");
-  EXPECT_EQ(told_clock(network), "3-29 1:59");
+  EXPECT_EQ(reported_clock(network), "3-29 1:59");
   network.run_until(Time(25min + 5s));
   EXPECT_EQ(clock_of(network), "3-29 3:0");
-  EXPECT_EQ(told_clock(network), "3-29 3:0");
+  EXPECT_EQ(reported_clock(network), "3-29 3:0");
   network.run_until(Time(35min));
   EXPECT_EQ(broken(network), "");
 }
@@ -76,9 +76,9 @@ TEST(BusNetwork, SummerTimeEndsInTheNight) {
   // 2026-10-25 01:00 UTC is 27:00 of the 24th: the hour from 2:00 on comes twice.
   BusNetwork network(night(std::chrono::year(2026) / 10 / 24, 1'792'890'000, 2h + 40min, 2, 1));
   network.run_until(Time(24min + 30s));
-  EXPECT_EQ(told_clock(network), "10-25 2:59");
+  EXPECT_EQ(reported_clock(network), "10-25 2:59");
   network.run_until(Time(25min + 5s));
-  EXPECT_EQ(told_clock(network), "10-25 2:0");
+  EXPECT_EQ(reported_clock(network), "10-25 2:0");
   network.run_until(Time(35min));
   EXPECT_EQ(broken(network), "");
 }

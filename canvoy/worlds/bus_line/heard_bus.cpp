@@ -171,7 +171,7 @@ void HeardBus::take_doors(Time now, const Frame& frame) {
 
 /// Finds the place where stop point and number in the route agree. A route with more stops than
 /// numbers has its last number for all others: then the stop point decides.
-std::optional<std::size_t> HeardBus::told_place() const {
+std::optional<std::size_t> HeardBus::reported_place() const {
   if (journey_ == nullptr || !stop_point_ || !running_number_ || *running_number_ == 0) {
     return std::nullopt;
   }
@@ -185,7 +185,7 @@ std::optional<std::size_t> HeardBus::told_place() const {
 }
 
 void HeardBus::look_for_place(Time now) {
-  const std::optional<std::size_t> place = told_place();
+  const std::optional<std::size_t> place = reported_place();
   if (!place || (stop_ && stop_->place == *place)) return;
   const bool has_gone_on = stop_ && stop_->place + 1 == *place;
   stop_ = Stop{.place = *place};
@@ -198,7 +198,7 @@ const Journey* HeardBus::journey(Time now) const {
 
 std::optional<HeardBus::Aged<HeardBus::Stop>> HeardBus::stop(Time now) const {
   if (journey(now) == nullptr || !is_there(computer, now) || !stop_) return std::nullopt;
-  if (told_place() != stop_->place) return std::nullopt;
+  if (reported_place() != stop_->place) return std::nullopt;
   return Aged<Stop>{.value = *stop_, .heard = heard_.at(computer).at};
 }
 

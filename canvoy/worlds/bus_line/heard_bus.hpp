@@ -76,7 +76,7 @@ class HeardBus {
   void take_journey(const Frame& frame);
   void take_doors(Time now, const Frame& frame);
   void look_for_place(Time now);
-  std::optional<std::size_t> told_place() const;
+  std::optional<std::size_t> reported_place() const;
 
   const BusLine& line_;
   MessageIds ids_;

@@ -126,11 +126,11 @@ void LineControl::start_waiting() {
   }
   const bool is_heard =
       master_.remote(settings_.identification).state() == RemoteState::operational;
-  if (is_heard && !has_journey_told_) tell_again(settings_.identification);
+  if (is_heard && !has_journey_told_) report_again(settings_.identification);
 }
 
 /// A device sends all its data when it enters operational (8.1.4.3).
-void LineControl::tell_again(NodeId id) {
+void LineControl::report_again(NodeId id) {
   master_.command(id, NmtCommand::enter_pre_operational);
   master_.command(id, NmtCommand::start);
 }
@@ -140,9 +140,10 @@ void LineControl::ask_anew(NodeId id) {
   if (!has_begun_) return;
   for (const NodeId source : settings_.sources) {
     const bool is_meant = id == GapWatch::everyone || id == source;
-    if (is_meant && master_.remote(source).state() == RemoteState::operational) tell_again(source);
+    if (is_meant && master_.remote(source).state() == RemoteState::operational)
+      report_again(source);
   }
-  tell_again(node().id());
+  report_again(node().id());
 }
 
 /// The node has missed earlier messages: all is sent again (8.1.4.3: once after reaching
@@ -154,11 +155,11 @@ void LineControl::start(NodeId id) {
 
 void LineControl::refresh() {
   refresh_at_ = never;
-  tell_again(node().id());
+  report_again(node().id());
   // The identification device has the journey.
-  tell_again(settings_.identification);
+  report_again(settings_.identification);
   // Counters that were away have missed a door that has opened.
-  if (std::exchange(has_returned_, false)) tell_again(settings_.doors);
+  if (std::exchange(has_returned_, false)) report_again(settings_.doors);
 }
 
 void LineControl::changed(NodeId id, RemoteState state) {
@@ -251,7 +252,7 @@ void LineControl::tell() {
   if (std::exchange(told_, now) == now) return;
   hardware_.computer->block_tickets(!now.knows_stop);
   if (now.knows_stop) {
-    tell_position();
+    report_position();
   } else {
     hardware_.computer->set_position({});
   }
@@ -269,7 +270,7 @@ void LineControl::keep_texts() {
   }
 }
 
-void LineControl::tell_position() {
+void LineControl::report_position() {
   const std::size_t place = position_.place();
   const BusStop& stop = line().stop(journey_->route, place);
   // On the way to the first stop it has not reached another zone.

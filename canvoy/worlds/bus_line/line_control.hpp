@@ -88,7 +88,7 @@ class LineControl {
   void start_waiting();
   void start(NodeId id);
   void refresh();
-  void tell_again(NodeId id);
+  void report_again(NodeId id);
   void heard(NodeId id, RemoteState state) { gaps_.heard(id, state); }
   void ask_anew(NodeId id);
   void forget_all();
@@ -105,7 +105,7 @@ class LineControl {
 
   JourneyTexts texts() const;
   void tell();
-  void tell_position();
+  void report_position();
   void sets_learnt() { told_.reset(); }
   void keep_texts();
 

@@ -75,7 +75,7 @@ void MirrorControl::look(Time now) {
   if (now >= next_start_) start_waiting(now);
   if (now >= refresh_at_) {
     refresh_at_ = never;
-    tell_again();
+    report_again();
   }
   if (is_settling_ && now >= settled_at_) {
     is_settling_ = false;
@@ -100,11 +100,11 @@ void MirrorControl::written(const Entry& entry) {
 void MirrorControl::forget_train() {
   node().dictionary().restore_defaults(first_told, last_told, node().id());
   has_news_ = true;
-  tell_again();
+  report_again();
 }
 
 /// A device that enters operational again sends all its data (8.1.4.3).
-void MirrorControl::tell_again() {
+void MirrorControl::report_again() {
   master_.command(node().id(), NmtCommand::enter_pre_operational);
   master_.command(node().id(), NmtCommand::start);
 }

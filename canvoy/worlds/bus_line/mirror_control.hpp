@@ -52,10 +52,10 @@ class MirrorControl {
   void start_waiting(Time now);
   void start(NodeId id);
   void written(const Entry& entry);
-  void tell_again();
+  void report_again();
   void heard(NodeId id, RemoteState state) { gaps_.heard(id, state); }
   void ask_anew(NodeId /*id*/) {
-    if (has_begun_) tell_again();
+    if (has_begun_) report_again();
   }
   void forget_train();
   std::vector<std::uint8_t> text(std::uint16_t index, std::uint8_t sub);

@@ -113,13 +113,13 @@ std::optional<cia407::CivilTime> OnBoardComputer::own_clock() {
   return cia447::civil_time(cia447::seconds_since_1970(clock_.local()) + wrong);
 }
 
-std::optional<cia407::CivilTime> OnBoardComputer::told_clock() {
+std::optional<cia407::CivilTime> OnBoardComputer::reported_clock() {
   return line_control_ == nullptr ? std::nullopt : line_control_->local_time();
 }
 
 cia407::MainOnBoardComputerHardware OnBoardComputer::hardware() {
   line_control_ = nullptr;  // the new device has none yet
-  return {.clock = callback<&OnBoardComputer::told_clock>(*this)};
+  return {.clock = callback<&OnBoardComputer::reported_clock>(*this)};
 }
 
 cia407::MainOnBoardComputerSettings OnBoardComputer::settings() {

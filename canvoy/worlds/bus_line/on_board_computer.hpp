@@ -51,7 +51,7 @@ class OnBoardComputer {
   double pulses_as_metres();
   bool has_open_door() { return !vehicle_.all_doors_closed(); }
   std::optional<cia407::CivilTime> own_clock();
-  std::optional<cia407::CivilTime> told_clock();
+  std::optional<cia407::CivilTime> reported_clock();
   cia407::IdentificationHardware identification_hardware();
   cia407::Assignment remembered() { return remembered_; }
 

@@ -75,7 +75,7 @@ void ChargerReferees::step(Time now) {
   faults_.note(now, reason());
   service_.on_step(now, served_ampere(), plant.ampere());
   judge_care(now);
-  tell_broken(now);
+  report_broken(now);
 }
 
 /// Current that the battery is to get. With a real battery or charger it is unknown. A battery that
@@ -139,7 +139,7 @@ void ChargerReferees::fault_ended(Time now, std::size_t fault) {
 }
 
 /// Reports each invariant once, when it is broken.
-void ChargerReferees::tell_broken(Time now) {
+void ChargerReferees::report_broken(Time now) {
   const std::array<Invariant, lasting> now_lasting = lasting_invariants();
   for (std::size_t i = 0; i < lasting; ++i) {
     if (now_lasting.at(i).held || told_.at(i)) continue;

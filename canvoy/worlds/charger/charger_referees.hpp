@@ -68,7 +68,7 @@ class ChargerReferees {
   Invariant service() const;
   Invariant missing_charge() const;
   std::array<Invariant, lasting> lasting_invariants() const;
-  void tell_broken(Time now);
+  void report_broken(Time now);
 
   const ChargerOptions* options_;
   const ChargerDevices* devices_;

@@ -267,7 +267,7 @@ void ChargingYard::step(Time now) {
   collect();
   vehicles_.step(now);
   referee_.step(now);
-  tell_broken(now);
+  report_broken(now);
 }
 
 /// The new events of all bays, in the order of their times.
@@ -309,7 +309,7 @@ void ChargingYard::excuse(Time now, std::size_t bay, FaultKind kind, bool begins
   }
 }
 
-void ChargingYard::tell_broken(Time now) {
+void ChargingYard::report_broken(Time now) {
   if ((now - Time{}) % 1s != Duration::zero()) return;
   const std::vector<YardInvariant> all = goals();
   told_.resize(all.size());

@@ -185,7 +185,7 @@ class ChargingYard {
   void collect();
   void take(std::size_t bay, ChargerEvent event);
   void excuse(Time now, std::size_t bay, FaultKind kind, bool begins);
-  void tell_broken(Time now);
+  void report_broken(Time now);
 
   YardOptions options_;
   World world_;

@@ -282,7 +282,7 @@ void ExcavatorNetwork::step(Time now) {
   machine_.step(std::chrono::duration<double>(ExcavatorOperator::step_time).count());
   devices_.machine_moved();
   referees_.look(now);
-  tell_changes(now);
+  report_changes(now);
   for (const Invariant& broken : referees_.take_broken()) note(now, InvariantBroken{broken});
 }
 
@@ -317,7 +317,7 @@ void ExcavatorNetwork::switched(Button button, bool is_on) {
   referees_.switched(now(), button, is_on);
 }
 
-void ExcavatorNetwork::tell_changes(Time now) {
+void ExcavatorNetwork::report_changes(Time now) {
   if (std::exchange(told_lamps_, panel_.lit()) != panel_.lit()) {
     note(now, LampsChanged{panel_.lit()});
   }

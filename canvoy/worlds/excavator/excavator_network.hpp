@@ -206,7 +206,7 @@ class ExcavatorNetwork {
   void press(Button button, Duration down);
   void hands_moved();
   void switched(Button button, bool is_on);
-  void tell_changes(Time now);
+  void report_changes(Time now);
   template <class What>
   void note(Time now, const What& what) {
     events_.push_back({now, what});

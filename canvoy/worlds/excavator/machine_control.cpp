@@ -125,10 +125,10 @@ void MachineControl::start(Partner& who) {
   who.is_ready = who.was_ready = true;
   drive();
   if (&who == &seat_ && settings_.has_armrest) armrest_.begin();
-  tell_anew(who);
+  report_anew(who);
 }
 
-void MachineControl::tell_anew(const Partner& partner) {
+void MachineControl::report_anew(const Partner& partner) {
   const bool is_seat = &partner == &seat_;
   const auto first = static_cast<std::uint16_t>(is_seat ? Output::lamps : Output::switches);
   for (std::uint16_t i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ void MachineControl::ask_anew(NodeId) {
       static_cast<unsigned>(settings_.has_trainer ? Input::trainer_right : Input::engine);
   for (std::uint16_t input = 1; input <= inputs; ++input) device_.rpdos().request(input);
   for (const Partner* partner : {&seat_, &valves_}) {
-    if (partner->is_ready) tell_anew(*partner);
+    if (partner->is_ready) report_anew(*partner);
   }
 }
 

@@ -70,7 +70,7 @@ class MachineControl {
   void received(std::uint16_t number);
   void timed_out(std::uint16_t number);
   void ask_anew(NodeId partner);
-  void tell_anew(const Partner& partner);
+  void report_anew(const Partner& partner);
   void armrest_changed();
   /// True if safety lever, seat switch and emergency stop let the machine move.
   bool is_released() const {

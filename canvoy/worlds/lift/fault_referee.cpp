@@ -58,7 +58,7 @@ void FaultReferee::starts(Time now, LiftNumber lift) {
     const auto& noticed = watched.expected.noticed_within;
     watched.has_moved = watched.has_moved || watched.ended_at != never;
     if (watched.ended_at != never || !noticed || watched.started_at != never) continue;
-    if (watched.expected.noticed_when_told && watched.told_at == never) continue;
+    if (watched.expected.noticed_when_told && watched.reported_at == never) continue;
     if (now - watched.began_at > *noticed) watched.started_at = now;
   }
 }
@@ -67,7 +67,8 @@ void FaultReferee::emergency_seen(Time now, LiftNumber lift, std::uint16_t code)
   for (Watched& watched : faults_) {
     const auto& wanted = watched.expected.emergencies;
     const bool fits = std::find(wanted.begin(), wanted.end(), code) != wanted.end();
-    if (watched.expected.lift == lift && fits && watched.told_at == never) watched.told_at = now;
+    if (watched.expected.lift == lift && fits && watched.reported_at == never)
+      watched.reported_at = now;
   }
 }
 
@@ -94,7 +95,7 @@ void FaultReferee::passed(Time now, Duration time,
                           const std::function<bool(LiftNumber)>& is_wanted) {
   for (Watched& watched : faults_) {
     const bool is_over = watched.ended_at <= now;
-    if ((is_over ? watched.served_at : watched.told_at) != never) continue;
+    if ((is_over ? watched.served_at : watched.reported_at) != never) continue;
     if (is_over) {
       if (is_alone(watched, now) && is_wanted(watched.expected.lift)) watched.wanted += time;
     } else if (!is_alone(watched, now)) {
@@ -178,8 +179,8 @@ std::vector<Invariant> FaultReferee::invariants(Time now) const {
     const Time until = std::min(now, watched.ended_at);
     if (watched.expected.stands_within) add(watched, safe_stand(watched, until));
     if (!watched.expected.emergencies.empty()) {
-      add(watched, promise(InvariantKind::emergency_told, watched.began_at, watched.told_at, until,
-                           watched.expected.told_within + watched.beside_others));
+      add(watched, promise(InvariantKind::emergency_told, watched.began_at, watched.reported_at,
+                           until, watched.expected.told_within + watched.beside_others));
     }
     if (watched.expected.serves_within && watched.ended_at <= now) {
       add(watched, service(watched));

@@ -87,7 +87,7 @@ class FaultReferee {
     Time handed_back_at{};      ///< by a technician, since its end
     bool stood_before = false;  ///< its car, when it began
     Time stood_at = never;
-    Time told_at = never;
+    Time reported_at = never;
     Time served_at = never;
     Time started_at = never;    ///< although it must not start
     Duration beside_others{0};  ///< until it was reported, or ended

@@ -24,7 +24,7 @@ void InspectionStations::hold(Station station, Direction way) {
   press(station, SpecialFunction::dogging_service_down, way == Direction::down);
 }
 
-void InspectionStations::tell_again() {
+void InspectionStations::report_again() {
   for (const Station station : {Station::roof, Station::pit}) {
     if (!of(station).is_on) continue;
     turn(station, true);

@@ -33,7 +33,7 @@ class InspectionStations {
   /// Holds a button; none: releases both.
   void hold(Station station, Direction way);
   /// Call it when the controller has power again: its inputs are as the hands have left them.
-  void tell_again();
+  void report_again();
   /// True if at least one is on.
   bool is_on() const { return of(Station::roof).is_on || of(Station::pit).is_on; }
   /// Direction in which the car may move; none: it must stand.

@@ -295,7 +295,7 @@ void LiftPanel::watch(std::size_t input, bool high) {
   if (high) {
     world_->at(now + stuck_after, [this, input, now](Time) { look_at_stuck(input, now); });
   } else if (is_defective_[input]) {
-    tell_defect(input, false);
+    report_defect(input, false);
   }
 }
 
@@ -307,11 +307,11 @@ void LiftPanel::look_at_stuck(std::size_t input, Time since) {
                       [this, input, since](Time) { look_at_stuck(input, since); });
   }
   node().advance(now);
-  tell_defect(input, true);
+  report_defect(input, true);
   world_->touched(slot_);
 }
 
-void LiftPanel::tell_defect(std::size_t input, bool is_defective) {
+void LiftPanel::report_defect(std::size_t input, bool is_defective) {
   is_defective_[input] = is_defective;
   tell(input, is_defective ? cia417::CallRequest::defective : cia417::CallRequest::none);
 }

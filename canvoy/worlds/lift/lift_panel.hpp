@@ -131,7 +131,7 @@ class LiftPanel {
   void set_level(std::size_t input, bool high);
   void watch(std::size_t input, bool high);
   void look_at_stuck(std::size_t input, Time since);
-  void tell_defect(std::size_t input, bool is_defective);
+  void report_defect(std::size_t input, bool is_defective);
   void tell(std::size_t input, cia417::CallRequest condition);
 
   World* world_;

@@ -57,7 +57,7 @@ struct LiftShaft::Parts {
   World& world;
   ShaftPlan plan;
   std::function<void(LiftNumber)> changed;
-  std::function<void(LiftNumber, SafetyChain::Trip)> told_of_trip;
+  std::function<void(LiftNumber, SafetyChain::Trip)> reported_of_trip;
   PlantIndex plant;
   ShaftCar car;
   ShaftDoors doors;
@@ -84,7 +84,7 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& descript
     : world(its_world),
       plan(description, number),
       changed(std::move(hooks.changed)),
-      told_of_trip(std::move(hooks.tripped)),
+      reported_of_trip(std::move(hooks.tripped)),
       plant(world.add_sleeping_plant(callback<&Parts::step>(*this))),
       car(description.building, number, callback<&Parts::now>(*this)),
       doors(doors_of(plan.design(), callback<&Parts::kick>(*this))),
@@ -161,7 +161,7 @@ void LiftShaft::Parts::step(Time at) {
 
 void LiftShaft::Parts::watch_trip() {
   if (std::exchange(trip, car.trip()) == car.trip()) return;
-  if (told_of_trip) told_of_trip(plan.lift(), trip);
+  if (reported_of_trip) reported_of_trip(plan.lift(), trip);
 }
 
 bool LiftShaft::Parts::is_whole() const {
@@ -187,7 +187,7 @@ void LiftShaft::Parts::count_missing(const ScheduledFault& fault, bool present) 
 
 void LiftShaft::Parts::power(NodeId id, bool is_on) {
   nodes.power(id, is_on);
-  if (is_on && nodes.is_a(DeviceKind::lift_controller, id)) stations.tell_again();
+  if (is_on && nodes.is_a(DeviceKind::lift_controller, id)) stations.report_again();
   if (is_on) return;
   panels.go_dark(id);
   if (nodes.is_a(DeviceKind::drive, id)) car.lose_drive();

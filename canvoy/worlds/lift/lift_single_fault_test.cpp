@@ -79,7 +79,7 @@ struct SingleFaultTest : testing::TestWithParam<std::tuple<Row, bool>> {
   }
 
   /// Time of the first one of a code on the bus of the first lift.
-  static Time told_at(const LiftNetwork& network, NodeId node, std::uint16_t code) {
+  static Time reported_at(const LiftNetwork& network, NodeId node, std::uint16_t code) {
     for (const LiftEvent& event : network.events()) {
       const auto* const told = std::get_if<EmergencySeen>(&event.what);
       if (told == nullptr || told->bus != 0) continue;
@@ -115,7 +115,7 @@ TEST_P(SingleFaultTest, TheCarStandsTheEmergencyIsOnTheBusAndServiceResumes) {
   EXPECT_EQ(network.summary().served > 0, row().bears || is_group()) << "others go on";
   network.run_until(Time(4min));
   EXPECT_EQ(broken(network), "");
-  const Time told = told_at(network, row().teller, row().code);
+  const Time told = reported_at(network, row().teller, row().code);
   EXPECT_GT(told, begin);
   EXPECT_LT(told, begin + 11s);
   EXPECT_EQ(is_judged(network, InvariantKind::safe_stand), row().stands);

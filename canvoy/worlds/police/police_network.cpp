@@ -178,9 +178,9 @@ void PoliceNetwork::step(Time now) {
   faults_.step();
   crew_.step(now, watch_.room_hears_crew(), watch_.crew_hears_room());
   watch_.step(now);
-  tell_changes(now);
-  told_.tell_broken(invariants(),
-                    [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
+  report_changes(now);
+  told_.report_broken(invariants(),
+                      [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
 }
 
 void PoliceNetwork::crew_changed(Time now, Activity to) {
@@ -212,7 +212,7 @@ void PoliceNetwork::car_event(const cia447::CarEvent& event) {
   if (awakes) watch_.all_boot(now() + car::return_bound);
 }
 
-void PoliceNetwork::tell_changes(Time now) {
+void PoliceNetwork::report_changes(Time now) {
   const SignalDevices& signals = car_.signals();
   const SignalsChanged seen{signals.any_blue_is_seen(now), signals.siren_is_heard()};
   if (seen != told_signals_) events_.note(now, seen);

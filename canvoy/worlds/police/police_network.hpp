@@ -178,7 +178,7 @@ class PoliceNetwork {
   void crew_changed(Time now, Activity to);
   void car_event(const cia447::CarEvent& event);
   void sleep_and_wake(Time parked);
-  void tell_changes(Time now);
+  void report_changes(Time now);
   PoliceStatistics statistics() const;
 
   PoliceOptions options_;

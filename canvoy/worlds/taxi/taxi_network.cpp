@@ -164,8 +164,8 @@ void TaxiNetwork::step(Time now) {
   if (tampering_.acts() != 0 && referee_.passengers_see()) tampering_.passengers_see();
   real_meter_.read(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_shift(now);
-  told_.tell_broken(invariants(),
-                    [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
+  told_.report_broken(invariants(),
+                      [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
 }
 
 /// For the passengers in the car, whatever the state of the meter.
@@ -240,8 +240,8 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   if (from == Activity::hiring && to != Activity::waiting) begin_trip(now);
   if (from == Activity::stopping) trips_.stop(now, car_.drive().metres());
   if (from == Activity::paying) pay(now);
-  tell_passengers(now, from, to);
-  if (!is_played(taximeter_id)) tell_key(now, to);
+  report_passengers(now, from, to);
+  if (!is_played(taximeter_id)) report_key(now, to);
   if (from == Activity::releasing) {
     released_ = now;
     car_.guidance().arrive();
@@ -249,7 +249,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   print_papers(from);
 }
 
-void TaxiNetwork::tell_passengers(Time now, Activity from, Activity to) {
+void TaxiNetwork::report_passengers(Time now, Activity from, Activity to) {
   using enum PassengersSeen::Doing;
   if (to == Activity::boarding) events_.note(now, PassengersSeen{get_in});
   if (to == Activity::unmet) events_.note(now, PassengersSeen{stay_away});
@@ -260,7 +260,7 @@ void TaxiNetwork::tell_passengers(Time now, Activity from, Activity to) {
 }
 
 /// The key is pressed outside of this world.
-void TaxiNetwork::tell_key(Time now, Activity to) {
+void TaxiNetwork::report_key(Time now, Activity to) {
   using cia447::Taximeter;
   constexpr std::pair<Activity, Taximeter> keys[] = {
       {Activity::signing_on, Taximeter::for_hire},

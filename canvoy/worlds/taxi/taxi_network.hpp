@@ -189,8 +189,8 @@ class TaxiNetwork {
   void hear_real_devices();
   void step(Time now);
   void shift_changed(Time now, Activity from, Activity to);
-  void tell_passengers(Time now, Activity from, Activity to);
-  void tell_key(Time now, Activity to);
+  void report_passengers(Time now, Activity from, Activity to);
+  void report_key(Time now, Activity to);
   MeterKeys hands();
   bool clear_meter(const MeterKeys& keys);
   TripExcuse excuse(Time now);

@@ -88,9 +88,9 @@ DiagnosticsUnit::DiagnosticsUnit(VirtualDevice& device, const NoHardware& /*hard
 
 void DiagnosticsUnit::reset(ResetScope scope) {
   if (scope != ResetScope::node) return;
-  tell_shorts();
+  report_shorts();
   for (unsigned i = 0; i < classes_.size(); ++i) {
-    tell_messages(static_cast<std::uint16_t>(first_class_index + i));
+    report_messages(static_cast<std::uint16_t>(first_class_index + i));
   }
 }
 
@@ -108,11 +108,11 @@ AbortCode DiagnosticsUnit::check_shorts(const Entry& entry, std::span<const std:
 void DiagnosticsUnit::shorts_written(const Entry& entry) {
   constexpr std::uint32_t error_code = 0xFFFF;
   if (entry.sub == 1) {
-    return (entry.word() & error_code) == 0 ? tell_shorts() : add_short(entry.word());
+    return (entry.word() & error_code) == 0 ? report_shorts() : add_short(entry.word());
   }
   if (entry.sub != 0) return;
   short_count_ = 0;
-  tell_shorts();
+  report_shorts();
 }
 
 /// 0 deletes those that were read, 1 all.
@@ -155,7 +155,7 @@ void DiagnosticsUnit::add_short(std::uint32_t error) {
   std::shift_right(shorts_.begin(), shorts_.end(), 1);
   shorts_[0] = error;
   short_count_ = std::min(short_count_ + 1, entries_max);
-  tell_shorts();
+  report_shorts();
   LongLine line;
   line.add_number(error >> 16, 4, 16);
   line.add(" ");
@@ -169,7 +169,7 @@ void DiagnosticsUnit::add_message(std::uint16_t index, std::span<const std::uint
   made = {};
   std::ranges::copy(text, made.begin());
   messages.is_read[messages.count++] = false;
-  tell_messages(index);
+  report_messages(index);
   const std::string_view whole(reinterpret_cast<const char*>(text.data()), text.size());
   add_line(whole.substr(0, whole.find('\0')));
 }
@@ -184,20 +184,20 @@ void DiagnosticsUnit::remove_messages(std::uint16_t index, bool all) {
     messages.is_read[kept++] = false;
   }
   messages.count = kept;
-  tell_messages(index);
+  report_messages(index);
 }
 
-void DiagnosticsUnit::tell_shorts() {
+void DiagnosticsUnit::report_shorts() {
   Dictionary& dictionary = device_.node().dictionary();
   for (std::size_t i = 0; i < entries_max; ++i) {
     dictionary.set_number(short_index, static_cast<std::uint8_t>(i + 1),
                           i < short_count_ ? shorts_[i] : 0);
   }
   dictionary.set_number(short_index, 0, short_count_);
-  tell_events();
+  report_events();
 }
 
-void DiagnosticsUnit::tell_messages(std::uint16_t index) {
+void DiagnosticsUnit::report_messages(std::uint16_t index) {
   const Messages& messages = *messages_of(index);
   Dictionary& dictionary = device_.node().dictionary();
   for (std::size_t i = 0; i < entries_max; ++i) {
@@ -207,10 +207,10 @@ void DiagnosticsUnit::tell_messages(std::uint16_t index) {
     if (entry) dictionary.set(*entry, is_there ? text : text.first(0));
   }
   dictionary.set_number(index, 0, messages.count);
-  tell_events();
+  report_events();
 }
 
-void DiagnosticsUnit::tell_events() {
+void DiagnosticsUnit::report_events() {
   device_.signal(flag_many_shorts, short_count_ > many);
   device_.signal(flag_near_capacity, short_count_ >= settings_.close_to_limit);
   for (unsigned i = 0; i < classes_.size(); ++i) {

@@ -70,9 +70,9 @@ class DiagnosticsUnit {
   void add_short(std::uint32_t error);
   void add_message(std::uint16_t index, std::span<const std::uint8_t> text);
   void remove_messages(std::uint16_t index, bool all);
-  void tell_shorts();
-  void tell_messages(std::uint16_t index);
-  void tell_events();
+  void report_shorts();
+  void report_messages(std::uint16_t index);
+  void report_events();
   void add_line(std::string_view text);
   void drop_lines(std::size_t needed);
   void drop(std::size_t length);

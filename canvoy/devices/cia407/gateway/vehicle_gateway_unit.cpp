@@ -62,12 +62,12 @@ void VehicleGatewayUnit::look(Time now) {
   device_.tell(drive_flag, reading.speed_kmh.has_failed ? Motion::error : recognition_.motion());
   device_.tell(direction_flag, reading.direction);
   device_.tell(brake_switch, reading.brake);
-  tell_clock(device_, local_clock, reading.local_time);
-  tell_doors(reading);
-  tell_engine(reading);
+  report_clock(device_, local_clock, reading.local_time);
+  report_doors(reading);
+  report_engine(reading);
 }
 
-void VehicleGatewayUnit::tell_doors(const VehicleReading& reading) {
+void VehicleGatewayUnit::report_doors(const VehicleReading& reading) {
   Dictionary& dictionary = device_.node().dictionary();
   bool is_open = false;
   std::array<std::uint8_t, VehicleReading::doors_max / doors_of_byte> bytes{};
@@ -91,7 +91,7 @@ void VehicleGatewayUnit::tell_doors(const VehicleReading& reading) {
   }
 }
 
-void VehicleGatewayUnit::tell_engine(const VehicleReading& reading) {
+void VehicleGatewayUnit::report_engine(const VehicleReading& reading) {
   tell(fuel_rate, reading.fuel_rate_l_per_h);
   tell(instantaneous_fuel_economy, reading.economy_km_per_l);
   tell(average_fuel_economy, reading.average_economy_km_per_l);

@@ -88,8 +88,8 @@ class VehicleGatewayUnit {
  private:
   void reset(ResetScope /*scope*/) { look(device_.node().now()); }
   void look(Time now);
-  void tell_doors(const VehicleReading& reading);
-  void tell_engine(const VehicleReading& reading);
+  void report_doors(const VehicleReading& reading);
+  void report_engine(const VehicleReading& reading);
   template <class Handle>
   void tell(const Handle& handle, const Measured& measured);
 

@@ -71,7 +71,7 @@ concept MayBeNothing = requires(Reference reference) { reference = std::nullopt;
 /// Without a time, or with one that the object cannot hold, an object that has a code for "invalid"
 /// (FFh) takes it, and others keep their value.
 template <class Clock>
-void tell_clock(VirtualDevice& device, const Clock& clock, std::optional<CivilTime> time) {
+void report_clock(VirtualDevice& device, const Clock& clock, std::optional<CivilTime> time) {
   if (time) time = without_leap_second(*time);
   if (time && !can_be_told(*time)) time = std::nullopt;
   const auto tell = [&](const auto& handle, std::int64_t value) {

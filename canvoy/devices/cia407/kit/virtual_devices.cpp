@@ -134,7 +134,7 @@ void VirtualDevices::written(const Entry& entry, Source source) {
   }
 }
 
-void VirtualDevices::tell_events(VirtualDevice& device) {
+void VirtualDevices::report_events(VirtualDevice& device) {
   if (device.number_ > with_events_max) return;
   const bool has_event = device.flags_ != 0 || device.information_ != 0;
   const std::uint32_t word =
@@ -174,13 +174,13 @@ void VirtualDevice::signal(std::uint8_t flags, bool is_pending) {
   const auto wanted = static_cast<std::uint8_t>(is_pending ? kept | flags : kept);
   if (wanted == flags_) return;
   flags_ = wanted;
-  all_.tell_events(*this);
+  all_.report_events(*this);
 }
 
 void VirtualDevice::inform(std::uint16_t information) {
   if (information_ == information) return;
   information_ = information;
-  all_.tell_events(*this);
+  all_.report_events(*this);
 }
 
 }  // namespace canvoy::cia407

@@ -60,7 +60,7 @@ class VirtualDevices {
   AbortCode before_read(const Entry& entry);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
-  void tell_events(VirtualDevice& device);
+  void report_events(VirtualDevice& device);
   void listen(std::span<const AccessHandlers> rows);
   /// A virtual device is told that an object was written.
   bool has_listener(std::uint16_t index) const {

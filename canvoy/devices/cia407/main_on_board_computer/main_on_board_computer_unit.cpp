@@ -40,12 +40,12 @@ void MainOnBoardComputerUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) {
     has_satellite_speed_ = false;
     are_doors_open_ = false;
-    tell_vehicle();
+    report_vehicle();
   }
   look(node().now());
 }
 
-void MainOnBoardComputerUnit::tell_vehicle() {
+void MainOnBoardComputerUnit::report_vehicle() {
   device_.tell(vehicle_id, settings_.vehicle_id);
   device_.tell(body_id, settings_.body_id);
   device_.tell(garage_id, settings_.garage_id);
@@ -60,7 +60,7 @@ void MainOnBoardComputerUnit::tell_vehicle() {
 
 void MainOnBoardComputerUnit::look(Time now) {
   const std::optional<CivilTime> time = hardware_.clock ? hardware_.clock() : std::nullopt;
-  tell_clock(device_, local_clock, time);
+  report_clock(device_, local_clock, time);
   const bool is_known = time && can_be_told(*time);
   node().timers().arm(timer_,
                       now + std::chrono::seconds(is_known ? seconds_of_minute - time->second : 1));
@@ -71,7 +71,7 @@ void MainOnBoardComputerUnit::look(Time now) {
 void MainOnBoardComputerUnit::begin_route(const RoutePosition& position) {
   device_.tell(previous_route_segment, 0);
   device_.tell(previous_fare_zone, 0);
-  tell_position(position);
+  report_position(position);
 }
 
 void MainOnBoardComputerUnit::set_position(const RoutePosition& position) {
@@ -82,10 +82,10 @@ void MainOnBoardComputerUnit::set_position(const RoutePosition& position) {
   if (position.fare_zone != zone || position.route_segment != segment) {
     device_.tell(previous_route_segment, segment);
   }
-  tell_position(position);
+  report_position(position);
 }
 
-void MainOnBoardComputerUnit::tell_position(const RoutePosition& position) {
+void MainOnBoardComputerUnit::report_position(const RoutePosition& position) {
   device_.tell(route_segment_number, position.route_segment);
   device_.tell(fare_zone, position.fare_zone);
   device_.tell(journey_direction, position.direction);

@@ -77,7 +77,7 @@ class MainOnBoardComputerUnit {
   /// Reports the name of the stop point, for displays.
   void set_stop_name(std::string_view name) { device_.tell(stop_point_short_representation, name); }
   /// Reports the scheduled time.
-  void set_scheduled(const CivilTime& time) { tell_clock(device_, scheduled_clock, time); }
+  void set_scheduled(const CivilTime& time) { report_clock(device_, scheduled_clock, time); }
   /// Sets event flags for the n-th virtual device of 6002h, 1 to 32. Without flags and information,
   /// the entry is cleared.
   void command(unsigned number, DeviceCode code, std::uint8_t flags, std::uint16_t information = 0);
@@ -94,7 +94,7 @@ class MainOnBoardComputerUnit {
 
   Node& node() { return device_.node(); }
   void reset(ResetScope scope);
-  void tell_vehicle();
+  void report_vehicle();
   void look(Time now);
   void event_written(const Entry& entry);
   void doors_written();
@@ -104,7 +104,7 @@ class MainOnBoardComputerUnit {
   void take_event(std::uint8_t sub);
   void satellite_speed_written();
   void follow_speed();
-  void tell_position(const RoutePosition& position);
+  void report_position(const RoutePosition& position);
 
   VirtualDevice& device_;
   MainOnBoardComputerHardware hardware_;

@@ -46,7 +46,7 @@ class TimeFixingUnit {
     device_.node().timers().arm(timer_, now + settings_.period);
     const std::optional<CivilTime> utc = hardware_.utc ? hardware_.utc() : std::nullopt;
     const bool is_known = utc && can_be_told(without_leap_second(*utc));
-    if (is_known) tell_clock(device_, universal_clock, utc);
+    if (is_known) report_clock(device_, universal_clock, utc);
     const std::chrono::minutes offset = local_offset();
     device_.tell(universal_local_hour, static_cast<double>(offset / 1h));
     device_.tell(universal_local_minute, static_cast<double>((offset % 1h).count()));

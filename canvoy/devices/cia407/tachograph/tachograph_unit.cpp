@@ -95,7 +95,7 @@ void TachographUnit::tell() {
   device_.tell(drive_recognition, recognition_.motion());
   device_.tell(total_vehicle_distance, reading_.distance_metres);
   device_.tell(trip_distance, reading_.distance_metres - trip_begin_);
-  tell_clock(device_, tachograph_clock, reading_.utc);
+  report_clock(device_, tachograph_clock, reading_.utc);
   device_.tell(tachograph_local_hour, static_cast<double>(offset_hours_));
   device_.tell(tachograph_local_minute, static_cast<double>(offset_minutes_));
   device_.tell(driver_1_card, reading_.cards[0]);

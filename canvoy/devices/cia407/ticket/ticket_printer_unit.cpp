@@ -22,10 +22,10 @@ void TicketPrinterUnit::reset(ResetScope scope) {
 void TicketPrinterUnit::look(Time now) {
   if (!hardware_.has_paper) return;
   device_.node().timers().arm(timer_, now + 1s);
-  tell_paper(hardware_.has_paper());
+  report_paper(hardware_.has_paper());
 }
 
-void TicketPrinterUnit::tell_paper(bool has_paper) {
+void TicketPrinterUnit::report_paper(bool has_paper) {
   device_.report(bus_error::out_of_paper, !has_paper);
 }
 
@@ -33,7 +33,7 @@ TicketAnswer TicketPrinterUnit::sell_ticket() {
   const TicketAnswer answer = can_have_tickets(device_, place_);
   if (answer != TicketAnswer::done || !hardware_.print) return answer;
   const bool is_printed = hardware_.print(read_ticket_data(device_.values(), place_));
-  tell_paper(is_printed);
+  report_paper(is_printed);
   return is_printed ? answer : TicketAnswer::out_of_paper;
 }
 

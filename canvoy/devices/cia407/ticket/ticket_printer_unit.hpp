@@ -36,7 +36,7 @@ class TicketPrinterUnit {
   void reset(ResetScope scope);
   void told(const Entry& entry) { place_.hear(entry); }
   void look(Time now);
-  void tell_paper(bool has_paper);
+  void report_paper(bool has_paper);
 
   VirtualDevice& device_;
   TicketPrinterHardware hardware_;

@@ -235,7 +235,7 @@ void CallController::take_destination_in_car(const VirtualInput& input) {
 
 /// An earlier, affirmed call still has to be answered.
 void CallController::refuse_destination(const VirtualInput& input) {
-  if (!destinations_.tell_again(input)) answer(input, false, lift_mask());
+  if (!destinations_.report_again(input)) answer(input, false, lift_mask());
   show();
 }
 
@@ -311,10 +311,10 @@ void CallController::show() {
 }
 
 void CallController::show_again() {
-  lamps_.tell_again();
-  destinations_.tell_all_again();
-  specials_.tell_again();
-  indications_.tell_again();
+  lamps_.report_again();
+  destinations_.report_all_again();
+  specials_.report_again();
+  indications_.report_again();
   show();
 }
 

@@ -24,7 +24,7 @@ void CallLamps::set(const Call& call, bool on) {
   }
 }
 
-void CallLamps::tell_again() {
+void CallLamps::report_again() {
   told_again_ = were_on_;
   tells_again_ = !told_again_.empty();
 }
@@ -47,7 +47,7 @@ VirtualOutput CallLamps::next(std::uint8_t lifts) {
     were_on_.add(call);
   } else {
     told_.remove(call);
-    if (call.kind != CallKind::car) tell_overlapping(call);
+    if (call.kind != CallKind::car) report_overlapping(call);
   }
   return acknowledgement_of(call, lifts, on);
 }
@@ -55,7 +55,7 @@ VirtualOutput CallLamps::next(std::uint8_t lifts) {
 /// The sub-function addresses the lamps of each direction (4.4.1): when a call without a direction
 /// goes out, those of both directions do as well, and vice versa. The lamps of existing calls are
 /// lit again.
-void CallLamps::tell_overlapping(const Call& gone) {
+void CallLamps::report_overlapping(const Call& gone) {
   for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
     const Call standing{kind, gone.priority, gone.floor, gone.doors};
     const bool shares_a_lamp =

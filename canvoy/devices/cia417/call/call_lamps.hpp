@@ -34,7 +34,7 @@ class CallLamps {
   void forget();
   /// Sends all that is shown, and all that was shown before and has ended, since panels have come
   /// that may not have received it.
-  void tell_again();
+  void report_again();
 
   /// True if an acknowledgement has to be sent.
   bool waits() const { return next_untold().floor != 0; }
@@ -44,7 +44,7 @@ class CallLamps {
 
  private:
   Call next_untold() const;
-  void tell_overlapping(const Call& gone);
+  void report_overlapping(const Call& gone);
 
   LiftCalls shown_;       ///< lamps that panels have to show
   LiftCalls told_;        ///< lamps that they have received

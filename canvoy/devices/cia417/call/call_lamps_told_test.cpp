@@ -64,7 +64,7 @@ TEST(CallLamps, PanelsThatComeAreToldWhatIsLitAndWhatWasOnce) {
   tell(lamps);
   lamps.end(down);
   tell(lamps);
-  lamps.tell_again();
+  lamps.report_again();
   EXPECT_EQ(tell(lamps), (std::vector{hall_lamp(0x01, true), hall_lamp(0x02, false)}));
   EXPECT_TRUE(tell(lamps).empty());
 }

@@ -39,14 +39,14 @@ DestinationCalls::Answer DestinationCalls::tell(const VirtualInput& input, bool 
   return Answer::kept;
 }
 
-bool DestinationCalls::tell_again(const VirtualInput& input) {
+bool DestinationCalls::report_again(const VirtualInput& input) {
   Slot* const slot = find(input);
   const bool is_shown = slot != nullptr && slot->told;
   if (is_shown) slot->wants_answer = true;
   return is_shown;
 }
 
-void DestinationCalls::tell_all_again() {
+void DestinationCalls::report_all_again() {
   for (Slot& slot : slots_.first(used_)) {
     const bool has_ended = slot.was_told && find(slot.input) == nullptr;
     if (slot.told || has_ended) slot.wants_answer = true;

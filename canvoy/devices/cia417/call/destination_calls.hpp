@@ -64,11 +64,11 @@ class DestinationCalls {
   /// `on`: the panel of the input has to show `lifts`.
   Answer tell(const VirtualInput& input, bool on, std::uint8_t lifts);
   /// Repeats the answer to the panel. False if the panel shows nothing of the call.
-  bool tell_again(const VirtualInput& input);
+  bool report_again(const VirtualInput& input);
   /// Repeats all answers, for panels that may not have received them: all that is shown, and ended
   /// calls with memory that has not been reused. A call that was requested again is sent as
   /// requested.
-  void tell_all_again();
+  void report_all_again();
 
   /// Cancels calls of these kinds.
   void cancel(CallKinds kinds);

@@ -82,11 +82,11 @@ TEST_F(DestinationCallsTest, PanelsThatComeAreToldOfWhatHasEndedUnlessItIsAskedF
   take(from_to(3, 7));
   boards(3, calls_up);
   calls.next();
-  calls.tell_all_again();
+  calls.report_all_again();
   ASSERT_TRUE(calls.waits());
   EXPECT_FALSE(OutputData{calls.next().data}.status());
   take(from_to(3, 7));
-  calls.tell_all_again();
+  calls.report_all_again();
   EXPECT_TRUE(OutputData{calls.next().data}.status());
   EXPECT_FALSE(calls.waits());
 }

@@ -91,7 +91,7 @@ void SpecialFunctions::clear() {
   inputs_ = {};
 }
 
-void SpecialFunctions::tell_again() {
+void SpecialFunctions::report_again() {
   for (Function& function : functions_) {
     function.wants_answer = function.wants_answer || function.was_on;
   }

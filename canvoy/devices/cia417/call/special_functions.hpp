@@ -37,7 +37,7 @@ class SpecialFunctions {
   void clear();
   /// Sends all that is on, and all that was on before and has ended, since panels have come that
   /// may not have received it.
-  void tell_again();
+  void report_again();
 
   /// True while the function is on.
   bool is_on(SpecialFunction function) const { return at(function).on; }

@@ -491,10 +491,10 @@ void LiftController::stop_at(std::uint8_t floor, DoorMask doors) {
   calls_.ring(floor, doors, direction_);
   calls_.answered(floor, direction_, kinds);
   open_doors(doors);
-  tell_stop(floor, open_doors_);
+  report_stop(floor, open_doors_);
 }
 
-void LiftController::tell_stop(std::uint8_t floor, DoorMask doors) {
+void LiftController::report_stop(std::uint8_t floor, DoorMask doors) {
   if (service_.accepted() == all_calls) stopped_({floor, direction_}, doors);
 }
 
@@ -565,7 +565,7 @@ bool LiftController::answer_here() {
   const auto more = static_cast<DoorMask>(doors & settings_.doors & ~open_doors_);
   if (more != 0 && phase_ != LiftPhase::closing) open_doors(open_doors_ | more);
   open_doors_ |= more;
-  tell_stop(floor, open_doors_);
+  report_stop(floor, open_doors_);
   return true;
 }
 

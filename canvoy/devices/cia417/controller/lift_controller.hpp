@@ -179,7 +179,7 @@ class LiftController {
 
   // Movement of its doors.
   void stop_at(std::uint8_t floor, DoorMask doors);
-  void tell_stop(std::uint8_t floor, DoorMask doors);
+  void report_stop(std::uint8_t floor, DoorMask doors);
   void open_doors(DoorMask doors);
   void close_doors();
   void let_out();

@@ -98,7 +98,7 @@ void CarDoorController::reset_state(ResetScope scope) {
 void CarDoorController::state_entered(NmtState state) {
   if (state != NmtState::operational) return;
   for (unsigned door = 1; door <= door_count; ++door) {
-    doors_[door - 1].told_at = node_.now();
+    doors_[door - 1].reported_at = node_.now();
     ask(door);
   }
   plan();
@@ -266,28 +266,28 @@ void CarDoorController::order(unsigned number, const DoorOrder& order) {
   const bool is_command = order.command != door.order.command;
   door.order = order;
   if (is_command) return tell(number);
-  const bool answers =
-      node_.now() - door.told_at < answer_time || follows(door.view.report.state, order.command);
-  if (!answers) return tell_again(number);
-  if (is_new && door.tell_at == never) tell(number);
+  const bool answers = node_.now() - door.reported_at < answer_time ||
+                       follows(door.view.report.state, order.command);
+  if (!answers) return report_again(number);
+  if (is_new && door.report_at == never) tell(number);
 }
 
 void CarDoorController::tell(unsigned number) {
   Door& door = doors_[number - 1];
-  door.told_at = node_.now();
-  door.tell_at = never;
+  door.reported_at = node_.now();
+  door.report_at = never;
   Values(node_.dictionary())[in_lift(settings_.lift, door_controlword(number))].set_raw(
       door.order.word());
 }
 
 /// A door ignores a command that it already has: another one comes first.
-void CarDoorController::tell_again(unsigned number) {
+void CarDoorController::report_again(unsigned number) {
   Door& door = doors_[number - 1];
   DoorOrder first = door.order;
   const bool has_error = door.view.report.state == DoorState::error;
   first.command = has_error ? DoorCommand::reset : DoorCommand::no_action;
-  door.told_at = node_.now();
-  door.tell_at = node_.now() + order_gap;
+  door.reported_at = node_.now();
+  door.report_at = node_.now() + order_gap;
   Values(node_.dictionary())[in_lift(settings_.lift, door_controlword(number))].set_raw(
       first.word());
 }
@@ -305,14 +305,14 @@ void CarDoorController::expired(Time now) {
   for (unsigned number = 1; number <= door_count; ++number) {
     if ((settings_.doors & mask_of(number)) == 0) continue;
     Door& door = doors_[number - 1];
-    if (door.tell_at <= now) {
+    if (door.report_at <= now) {
       tell(number);
-    } else if (door.tell_at == never && now - door.told_at >= settings_.repeat_time) {
-      door.told_at = now;
+    } else if (door.report_at == never && now - door.reported_at >= settings_.repeat_time) {
+      door.reported_at = now;
       ask(number);
       const bool is_barred_now = closes(door.order.command) && is_barred(door.view);
       if (!follows(door.view.report.state, door.order.command) && !is_barred_now) {
-        tell_again(number);
+        report_again(number);
       }
     }
   }
@@ -325,9 +325,9 @@ void CarDoorController::plan() {
   for (unsigned number = 1; number <= door_count; ++number) {
     const Door& door = doors_[number - 1];
     if ((settings_.doors & mask_of(number)) == 0) continue;
-    next = std::min(next, door.tell_at);
+    next = std::min(next, door.report_at);
     const bool is_done = door.view.is_known && follows(door.view.report.state, door.order.command);
-    if (!is_done) next = std::min(next, door.told_at + settings_.repeat_time);
+    if (!is_done) next = std::min(next, door.reported_at + settings_.repeat_time);
   }
   node_.timers().arm(timer_, next);
 }

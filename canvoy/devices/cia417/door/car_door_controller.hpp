@@ -115,8 +115,8 @@ class CarDoorController {
     DoorOrder order;
     DoorView view;
     DoorClosing closing = DoorClosing::normal;
-    Time told_at{};
-    Time tell_at = never;  ///< when the command follows a word that makes the door accept it
+    Time reported_at{};
+    Time report_at = never;  ///< when the command follows a word that makes the door accept it
     bool is_lost = false;
     bool barrier_is_lost = false;
   };
@@ -132,7 +132,7 @@ class CarDoorController {
   void change(DoorMask doors, const Change& change);
   void order(unsigned door, const DoorOrder& order);
   void tell(unsigned door);
-  void tell_again(unsigned door);
+  void report_again(unsigned door);
   void refresh(unsigned door);
   void react(unsigned door);
   void forget(unsigned door);

@@ -396,10 +396,10 @@ void CarDoorUnit::tell(Time now) {
     const auto position = values[in_lift(settings_.lift, door_position(settings_.door))];
     position.set_raw(readings_.position_mm.value_or(0xFFFF));
   }
-  tell_defects();
+  report_defects();
 }
 
-void CarDoorUnit::tell_defects() {
+void CarDoorUnit::report_defects() {
   const auto instance = static_cast<std::uint16_t>(settings_.door);
   const Error defects[] = {{.code = emergency_code::finger_protector_defect, .instance = instance},
                            {.code = emergency_code::motion_detection_defect, .instance = instance},

@@ -103,7 +103,7 @@ class CarDoorUnit {
   DoorState next_state(Time now);
   bool drive(Time now);
   void tell(Time now);
-  void tell_defects();
+  void report_defects();
   void plan(Time now);
 
   template <class Handle>

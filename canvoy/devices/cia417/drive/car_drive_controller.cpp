@@ -159,7 +159,7 @@ void CarDriveController::status_received() {
   drive_is_known_ = !drive_is_lost_;
   drive_told();
   const bool rests = aim_ == Aim::none && !is_powered(drive_state());
-  if (std::exchange(is_told_by_answer_, false) && !rests) tell_command();
+  if (std::exchange(is_told_by_answer_, false) && !rests) report_command();
 }
 
 void CarDriveController::velocity_received() {
@@ -285,16 +285,16 @@ void CarDriveController::expired(Time now) {
   const bool by_position = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   if (is_late && by_position && step_ == Step::sent) return repeat_set_point();
   pursue();
-  if (is_late) tell_again(now);
+  if (is_late) report_again(now);
   tell();
 }
 
 /// Repeats a command that the drive did not execute: a frame was lost, or the drive was held. Its
 /// state may be out of date as well.
-void CarDriveController::tell_again(Time now) {
+void CarDriveController::report_again(Time now) {
   if (!drive_is_known_ || is_obeyed()) return;
   told_at_ = now;
-  tell_command();
+  report_command();
   request(status_rpdos[0]);
 }
 
@@ -307,7 +307,7 @@ bool CarDriveController::is_obeyed() const {
   return !is_led || step_ != Step::wanted;
 }
 
-void CarDriveController::tell_command() {
+void CarDriveController::report_command() {
   if (tpdos_ == nullptr) return;
   for (const std::uint16_t rpdo : control_rpdos) {
     const std::uint16_t number = rpdo_of(settings_.lift, rpdo);

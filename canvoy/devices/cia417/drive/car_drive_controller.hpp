@@ -167,9 +167,9 @@ class CarDriveController {
   double drift_of_trip() const;
   void recover();
   bool has_mode();
-  void tell_again(Time now);
+  void report_again(Time now);
   bool is_obeyed() const;
-  void tell_command();
+  void report_command();
   void ask_what_is_odd();
   cia402::DriveMode wanted_mode() const;
   void command(unsigned word);

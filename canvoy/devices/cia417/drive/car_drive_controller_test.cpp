@@ -314,12 +314,12 @@ class DriveControllerOnACable : public testing::Test {
     bench.connect(drive_device.node());
     cable.start_all();
     cable.send("000#01 00");
-    tell_position();
+    report_position();
     cable.run_for(200ms);
   }
   CarDriveController& controller() { return controller_device.unit().controller(); }
   /// The test is the position unit: one frame every 50 ms.
-  void tell_position() {
+  void report_position() {
     bench.now = cable.now;
     Frame frame = Frame::data_frame(0x18C, {});
     frame.length = 4;
@@ -330,7 +330,7 @@ class DriveControllerOnACable : public testing::Test {
   void run_for(Duration time) {
     for (Duration past{}; past < time; past += 20ms) {
       cable.run_for(20ms);
-      tell_position();
+      report_position();
     }
   }
   void order(const std::function<void()>& command) {

@@ -390,10 +390,10 @@ void CarDriveUnit::tick(Time now) {
 void CarDriveUnit::measure(Time now) {
   car_.sense(now, parameters_.windows(), parameters_.increments(jump_distance));
   velocity_mode_.watch_slippage(now);
-  tell_velocities(now);
+  report_velocities(now);
 }
 
-void CarDriveUnit::tell_velocities(Time now) {
+void CarDriveUnit::report_velocities(Time now) {
   const DriveUnits& units = parameters_.units();
   const double wanted = car_.has_power() ? demand(now).velocity : 0;
   const bool by_sensor = sensor_selection_.is(cia402::SensorSelection::velocity_encoder);

@@ -150,7 +150,7 @@ class CarDriveUnit {
   // Called every period.
   void tick(Time now);
   void measure(Time now);
-  void tell_velocities(Time now);
+  void report_velocities(Time now);
   void supervise(Time now);
   void watch_voltage();
   void finish_stop(Time now);

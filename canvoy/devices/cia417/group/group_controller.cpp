@@ -80,7 +80,7 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
                                {.waits = callback<&GroupController::acknowledgement_waits>(*this),
                                 .next = callback<&GroupController::next_acknowledgement>(*this)}),
       timer_(callback<&GroupController::reconsider>(*this)),
-      again_timer_(callback<&GroupController::tell_again>(*this)),
+      again_timer_(callback<&GroupController::report_again>(*this)),
       gaps_(node, callback<&GroupController::ask_anew>(*this)) {
   node.attach(service_);
   heartbeats.on_change(callback<&GroupController::heard>(*this));
@@ -127,7 +127,7 @@ void GroupController::lift_returned() {
   node_.timers().arm(again_timer_, node_.now() + settings_.tells_again);
 }
 
-void GroupController::tell_again(Time) {
+void GroupController::report_again(Time) {
   resend_ = 0;
   told_again_ = were_on_;
   announce();

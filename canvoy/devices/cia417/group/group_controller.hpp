@@ -79,7 +79,7 @@ class GroupController {
   void acknowledge(const DestinationCall& call, std::uint8_t lifts, bool on);
   void assign(const VirtualInput& record);
   void reconsider(Time now);
-  void tell_again(Time now);
+  void report_again(Time now);
   void lift_returned();
   void ask_anew(NodeId /*lift*/) { lift_returned(); }
   void open_more();

@@ -53,7 +53,7 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
       status_mapping_(node, tpdos, virtual_output_mapping_object.index,
                       {.waits = callback<&GroupMember::status_waits>(*this),
                        .next = callback<&GroupMember::next_status>(*this)}),
-      gaps_(node, callback<&GroupMember::tell_anew>(*this)) {
+      gaps_(node, callback<&GroupMember::report_anew>(*this)) {
   node.attach(service_);
   lift_node.attach(lift_service_);
   heartbeats_.on_change(callback<&GroupMember::group_heard>(*this));
@@ -106,7 +106,7 @@ void GroupMember::join(bool is_in_group) {
 
 /// The group cannot request messages that it may have missed: it gets all of them, as when a lift
 /// joins it.
-void GroupMember::tell_anew(NodeId) {
+void GroupMember::report_anew(NodeId) {
   if (!is_in_group_) return;
   knows_status_ = false;
   own_calls_.add_all(calls_.shown(), hall_calls);

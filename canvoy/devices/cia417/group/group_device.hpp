@@ -88,7 +88,7 @@ class GroupMember {
   void acknowledged();
   void assign(const VirtualInput& call);
   void act_on_lift();
-  void tell_anew(NodeId /*group*/);
+  void report_anew(NodeId /*group*/);
 
   Status status() const;
   bool call_waits() { return !queue_.empty() || !own_calls_.empty(); }

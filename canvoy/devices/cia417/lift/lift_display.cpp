@@ -133,7 +133,7 @@ VirtualOutput LiftIndications::next_lantern() {
   return output;
 }
 
-void LiftIndications::tell_again() {
+void LiftIndications::report_again() {
   for (Told& told : told_) {
     told.knows_floor = told.knows_direction = false;
     told.again = told.were_on;

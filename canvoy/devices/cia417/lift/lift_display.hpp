@@ -53,7 +53,7 @@ class LiftIndications {
   VirtualOutput next();
   /// Sends all that is shown, and the end of all that has ended, since panels have come that may
   /// not have received it. Gongs do not ring again.
-  void tell_again();
+  void report_again();
   /// Changes to the panels of another lift, which have received nothing.
   void set_lift(unsigned lift) {
     lift_ = lift_bit(lift);

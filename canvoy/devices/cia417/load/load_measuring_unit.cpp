@@ -84,7 +84,7 @@ void LoadMeasuringUnit::look(Time now) {
   const std::optional<double> kilograms = weigh();
   std::optional<std::uint16_t> load;
   if (kilograms) load = in_unit(std::max(0.0, *kilograms - settings_.tare_kg));
-  tell_load(load);
+  report_load(load);
   signal(load);  // of the whole load: a load above the range of 6481h is still an overload
   if (kilograms.has_value() != is_defect_) return;
   is_defect_ = !is_defect_;
@@ -96,7 +96,7 @@ void LoadMeasuringUnit::look(Time now) {
 }
 
 /// Within the limits of 6481h, if these are set.
-void LoadMeasuringUnit::tell_load(std::optional<std::uint16_t> load) {
+void LoadMeasuringUnit::report_load(std::optional<std::uint16_t> load) {
   const std::uint16_t low = value(load_low_limit).raw();
   const std::uint16_t high = value(load_high_limit).raw();
   const auto told = value(absolute_load_value);
@@ -142,10 +142,10 @@ void LoadMeasuringUnit::signal(std::optional<std::uint16_t> load) {
   add(value(norm_load_limit), false, bit_of(norm_load_reached));
   add(value(full_load_limit), false, bit_of(full_load_reached));
   add(value(overload_limit), false, bit_of(overload_reached));
-  tell_signals(signals);
+  report_signals(signals);
 }
 
-void LoadMeasuringUnit::tell_signals(std::uint8_t signals) {
+void LoadMeasuringUnit::report_signals(std::uint8_t signals) {
   const auto place = in_lift(settings_.lift, zero_load_reached);
   const auto mask = in_lift(settings_.lift, zero_load_interrupt);
   Dictionary& dictionary = node_.dictionary();

@@ -57,9 +57,9 @@ class LoadMeasuringUnit {
   void look(Time now);
   std::optional<double> weigh();
   std::uint16_t in_unit(double kilograms) const;
-  void tell_load(std::optional<std::uint16_t> load);
+  void report_load(std::optional<std::uint16_t> load);
   void signal(std::optional<std::uint16_t> load);
-  void tell_signals(std::uint8_t signals);
+  void report_signals(std::uint8_t signals);
 
   template <class Handle>
   auto value(const Handle& handle) const {

@@ -91,7 +91,7 @@ class PanelBench {
     return records;
   }
   /// The records since the last call, with their times in microseconds.
-  Records told_at() {
+  Records reported_at() {
     Records records;
     for (const Cable::Heard& heard : cable.heard) {
       if (heard.frame.id != 0x495) continue;

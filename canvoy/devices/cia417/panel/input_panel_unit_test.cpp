@@ -66,8 +66,9 @@ TEST_F(InputPanelUnitTest, AnInhibitTimeSpreadsThemAndLosesNone) {
   for (const std::uint32_t input : {0U, 1U, 2U}) bench.press(input);
   bench.release(1);
   bench.cable.run_for(1s);
-  EXPECT_EQ(bench.told_at(), (Records{"1000000 02 01 01 03 10 01", "1100000 02 02 01 03 10 01",
-                                      "1200000 0E 0C 01 03 00 81", "1300000 02 02 01 03 10 00"}));
+  EXPECT_EQ(bench.reported_at(),
+            (Records{"1000000 02 01 01 03 10 01", "1100000 02 02 01 03 10 01",
+                     "1200000 0E 0C 01 03 00 81", "1300000 02 02 01 03 10 00"}));
 }
 
 TEST_F(InputPanelUnitTest, InputsThatAreOnAreToldWhenTheNodeBecomesOperational) {

@@ -81,11 +81,12 @@ TEST_F(InputParameterTest, MoreEventsThanTheLimitationStartNoMessage) {
     bench.release(0);
     bench.cable.run_for(50ms);
   }
-  EXPECT_EQ(bench.told_at(),
+  EXPECT_EQ(bench.reported_at(),
             (Records{"1000000 " + up_on, "1050000 " + up_off, "1100000 " + up_on}));
   EXPECT_EQ(bench.stored(0x6100, 1), 0x0010'0301'0102u) << "stored all the same";
   run_until(4s);
-  EXPECT_EQ(bench.told_at(), (Records{"2000000 " + up_off})) << "its state when the second is over";
+  EXPECT_EQ(bench.reported_at(), (Records{"2000000 " + up_off}))
+      << "its state when the second is over";
   bench.press(0);
   EXPECT_EQ(bench.told(), (Records{up_on})) << "another second";
 }
@@ -134,7 +135,7 @@ TEST_F(InputParameterTest, ALevelCountsWhenItWasThereForTheDebounceTime) {
   bench.press(0);
   EXPECT_EQ(bench.stored(0x6100, 1), 0x0010'0301'0102u);
   bench.cable.run_for(100ms);
-  EXPECT_EQ(bench.told_at(), (Records{"1020000 " + up_on}));
+  EXPECT_EQ(bench.reported_at(), (Records{"1020000 " + up_on}));
 }
 
 TEST_F(InputParameterTest, EachBounceBeginsTheDebounceTimeAnew) {
@@ -146,7 +147,7 @@ TEST_F(InputParameterTest, EachBounceBeginsTheDebounceTimeAnew) {
   bench.cable.run_for(1ms);
   bench.press(0);
   bench.cable.run_for(100ms);
-  EXPECT_EQ(bench.told_at(), (Records{"1040000 " + up_on}));
+  EXPECT_EQ(bench.reported_at(), (Records{"1040000 " + up_on}));
   bench.release(0);
   bench.cable.run_for(5ms);
   bench.press(0);

@@ -182,13 +182,13 @@ void CarPositionUnit::sample(unsigned unit) {
   value(offset_value[unit]) = saturate<std::int16_t>(static_cast<double>(of.offset));
   const auto tenths = static_cast<std::uint32_t>(node_.now().time_since_epoch() / 6min);
   value(operating_time[unit]).set_raw(settings_.encoders[unit - 1].operating_time + tenths);
-  tell_areas(unit, position);
-  tell_errors(unit);
+  report_areas(unit, position);
+  report_errors(unit);
   cams_.update(unit, position * of.step);
 }
 
 /// An area with no width between its limits is none.
-void CarPositionUnit::tell_areas(unsigned unit, std::int32_t position) {
+void CarPositionUnit::report_areas(unsigned unit, std::int32_t position) {
   const unsigned offset = unit - 1;
   const std::uint16_t index = in_lift(settings_.lift, out_of_range).shifted(offset).index();
   const auto channels = static_cast<unsigned>(node_.dictionary().number(index, 0));
@@ -203,7 +203,7 @@ void CarPositionUnit::tell_areas(unsigned unit, std::int32_t position) {
   }
 }
 
-void CarPositionUnit::tell_errors(unsigned unit) {
+void CarPositionUnit::report_errors(unsigned unit) {
   Unit& of = units_[unit - 1];
   const EncoderProperties& encoder = settings_.encoders[unit - 1];
   const bool is_diagnosed = (value(operating_parameter[unit]).raw() & diagnostic_bit) != 0;

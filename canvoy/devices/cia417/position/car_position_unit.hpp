@@ -98,8 +98,8 @@ class CarPositionUnit {
   void tick(Time now);
   void sample();
   void sample(unsigned unit);
-  void tell_areas(unsigned unit, std::int32_t position);
-  void tell_errors(unsigned unit);
+  void report_areas(unsigned unit, std::int32_t position);
+  void report_errors(unsigned unit);
   void watch_speed(double speed);
 
   template <class Handle>

@@ -58,10 +58,10 @@ void GpsUnit::look(Time now) {
     network_.node().timers().arm(timer_, now + settings_.period);
   }
   reading_ = hardware_.read();
-  tell_position();
-  tell_quality();
-  tell_clock();
-  tell_movement();
+  report_position();
+  report_quality();
+  report_clock();
+  report_movement();
 }
 
 template <class Handle>
@@ -84,7 +84,7 @@ void GpsUnit::tell(const Handle& handle, std::optional<double> value, double low
   }
 }
 
-void GpsUnit::tell_position() {
+void GpsUnit::report_position() {
   const bool is_lost = reading_.fix == GpsFix::none;
   const auto unless_lost = [&](std::optional<double> value) {
     return is_lost ? std::nullopt : value;
@@ -96,7 +96,7 @@ void GpsUnit::tell_position() {
   tell(gps_altitude, has_height ? reading_.altitude : std::nullopt, -infinity, infinity);
 }
 
-void GpsUnit::tell_quality() {
+void GpsUnit::report_quality() {
   tell(gps_satellites_visible, number(reading_.visible_satellites), 0, infinity);
   tell(gps_satellites_tracked, number(reading_.tracked_satellites), 0, infinity);
   tell(gps_status_vdop, reading_.vdop, 0, infinity);
@@ -105,7 +105,7 @@ void GpsUnit::tell_quality() {
   values_[gps_status_fix] = reading_.has_failed ? GpsFix::failure : reading_.fix;
 }
 
-void GpsUnit::tell_clock() {
+void GpsUnit::report_clock() {
   const auto impossible = std::optional(-1.0);
   const auto& date = reading_.date;
   const auto of_date = [&](unsigned GpsDate::*part) {
@@ -125,7 +125,7 @@ void GpsUnit::tell_clock() {
   tell(gps_utc_time_second, of_time(&GpsTime::second), 0, infinity);
 }
 
-void GpsUnit::tell_movement() {
+void GpsUnit::report_movement() {
   const bool is_lost = reading_.fix == GpsFix::none;
   tell(gps_velocity, is_lost ? std::nullopt : reading_.velocity, 0, infinity);
   tell(gps_heading, is_lost ? std::nullopt : as_heading(reading_.heading), -infinity, infinity);

@@ -42,10 +42,10 @@ class GpsUnit {
  private:
   void reset(ResetScope scope);
   void look(Time now);
-  void tell_position();
-  void tell_quality();
-  void tell_clock();
-  void tell_movement();
+  void report_position();
+  void report_quality();
+  void report_clock();
+  void report_movement();
   template <class Handle>
   void tell(const Handle& handle, std::optional<double> value, double low, double high);
   template <class Handle>

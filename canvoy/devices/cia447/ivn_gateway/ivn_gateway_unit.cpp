@@ -71,8 +71,8 @@ void IvnGatewayUnit::reset(ResetScope) {
   car[vin_data] = no_vin;
   car[wheel_pulse_counter_overrun_value] = settings_.pulse_counter_max;
   car[wheel_pulse_counter_overrun_value_valid] = Signal::not_available;
-  tell_pulses(Signal::not_available);
-  tell_constants();
+  report_pulses(Signal::not_available);
+  report_constants();
   network_.node().timers().arm(timer_, network_.node().now() + cycle);
 }
 
@@ -83,7 +83,7 @@ void IvnGatewayUnit::state_entered(NmtState state) {
   network_.node().timers().arm(timer_, network_.node().now() + cycle - lead);
 }
 
-void IvnGatewayUnit::tell_constants() {
+void IvnGatewayUnit::report_constants() {
   const Values car(network_.node().dictionary());
   car[wheel_signal_source] = settings_.wheel_source;
   car[pulses_per_wheel_rotation] = settings_.pulses_per_rotation;
@@ -119,7 +119,7 @@ void IvnGatewayUnit::tell(const Handle& handle, const Sensor& sensor,
 
 /// The state beside a number that is not known.
 template <class Handle>
-void IvnGatewayUnit::tell_unknown(const Handle& handle, const Sensor& sensor) {
+void IvnGatewayUnit::report_unknown(const Handle& handle, const Sensor& sensor) {
   const Meaning meaning = sensor ? Meaning::failure : Meaning::invalid;
   write_field(network_.node().dictionary(), place_of(handle),
               code_meaning(place_of(handle), meaning).value_or(0));
@@ -142,10 +142,12 @@ void IvnGatewayUnit::look_at_wheels() {
       (settings_.mileage_at_start_m + driven.value_or(0)) / settings_.local_distance_m;
   tell(odometer, hardware_.distance, known(driven.has_value(), std::floor(units * 10) / 10));
   car[wheel_pulse_counter_overrun_value_valid] = Signal::yes;
-  tell_pulses(driven ? Signal::yes : hardware_.distance ? Signal::failure : Signal::not_available);
+  report_pulses(driven               ? Signal::yes
+                : hardware_.distance ? Signal::failure
+                                     : Signal::not_available);
 }
 
-void IvnGatewayUnit::tell_pulses(Signal valid) {
+void IvnGatewayUnit::report_pulses(Signal valid) {
   const Values car(network_.node().dictionary());
   car[wheel_pulse_counter] = pulses_.count();
   car[wheel_pulse_counter_valid] = valid;
@@ -169,7 +171,7 @@ void IvnGatewayUnit::look_at_fuel() {
   if (litres) {
     car[tank_level_minimum] = *litres <= settings_.tank_minimum_l ? Signal::yes : Signal::no;
   } else {
-    tell_unknown(tank_level_minimum, hardware_.fuel);
+    report_unknown(tank_level_minimum, hardware_.fuel);
   }
   const std::optional<double> used = hardware_.fuel_consumption();
   tell(current_average_fuel_consumption, hardware_.fuel_consumption, used);
@@ -177,7 +179,7 @@ void IvnGatewayUnit::look_at_fuel() {
     car[current_average_fuel_consumption_overflow] =
         *used > consumption_max ? Signal::yes : Signal::no;
   } else {
-    tell_unknown(current_average_fuel_consumption_overflow, hardware_.fuel_consumption);
+    report_unknown(current_average_fuel_consumption_overflow, hardware_.fuel_consumption);
   }
 }
 
@@ -190,15 +192,15 @@ void IvnGatewayUnit::look_at_surroundings() {
     car[steering_wheel_angle_side] =
         *angle < 0 ? SteeringWheelSide::right : SteeringWheelSide::left;
   } else {
-    tell_unknown(steering_wheel_angle_side, hardware_.steering_wheel_angle);
+    report_unknown(steering_wheel_angle_side, hardware_.steering_wheel_angle);
   }
-  const auto tell_sensed = [this](const auto& handle, const Sensor& sensor) {
+  const auto report_sensed = [this](const auto& handle, const Sensor& sensor) {
     tell(handle, sensor, sensor());
   };
-  tell_sensed(displayed_outside_air_temperature, hardware_.outside_temperature);
-  tell_sensed(displayed_inside_air_temperature, hardware_.inside_temperature);
-  tell_sensed(environment_light_intensity, hardware_.light_intensity);
-  tell_sensed(mirror_anti_dazzle_position, hardware_.mirror_dimming);
+  report_sensed(displayed_outside_air_temperature, hardware_.outside_temperature);
+  report_sensed(displayed_inside_air_temperature, hardware_.inside_temperature);
+  report_sensed(environment_light_intensity, hardware_.light_intensity);
+  report_sensed(mirror_anti_dazzle_position, hardware_.mirror_dimming);
 }
 
 }  // namespace canvoy::cia447

@@ -209,12 +209,12 @@ class IvnGatewayUnit {
   void look_at_engine();
   void look_at_fuel();
   void look_at_surroundings();
-  void tell_constants();
-  void tell_pulses(Signal valid);
+  void report_constants();
+  void report_pulses(Signal valid);
   template <class Handle>
   void tell(const Handle& handle, const Sensor& sensor, const std::optional<double>& sensed);
   template <class Handle>
-  void tell_unknown(const Handle& handle, const Sensor& sensor);
+  void report_unknown(const Handle& handle, const Sensor& sensor);
 
   CarNetwork& network_;
   CarHardware hardware_;

@@ -37,15 +37,15 @@ bool CommandKeeper::is_done() const {
 
 void CommandKeeper::reset(ResetScope) {
   client_.cancel();
-  tell_all_anew({});
+  report_all_anew({});
 }
 
 void CommandKeeper::lost(NodeId node) {
   if (next_lost_) next_lost_(node);
-  if (node == settings_.server) tell_all_anew(settings_.retry);
+  if (node == settings_.server) report_all_anew(settings_.retry);
 }
 
-void CommandKeeper::tell_all_anew(Duration after) {
+void CommandKeeper::report_all_anew(Duration after) {
   for (Kept& kept : kept_) kept.is_told = false;
   not_before_ = network_.node().now() + after;
   network_.node().timers().arm(timer_, not_before_);

@@ -60,7 +60,7 @@ class CommandKeeper {
 
   void reset(ResetScope scope);
   void lost(NodeId node);
-  void tell_all_anew(Duration after);
+  void report_all_anew(Duration after);
   void drop_old(Time now);
   void go_on(Time now);
   void taken(SdoClient::Outcome outcome);

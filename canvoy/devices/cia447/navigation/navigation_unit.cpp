@@ -55,7 +55,7 @@ void NavigationUnit::reset(ResetScope) {
 void NavigationUnit::position_lost() {
   values_[gps_current_position_latitude] = std::nullopt;
   values_[gps_current_position_longitude] = std::nullopt;
-  tell_distance();
+  report_distance();
 }
 
 std::optional<GeoPosition> NavigationUnit::position() const {
@@ -92,7 +92,7 @@ void NavigationUnit::commanded(const Commanded& wanted) {
   } else if (wanted.is_for(start_route_guidance_start)) {
     start(wanted.as<StartGuidance>() == StartGuidance::with_interrupting);
   } else if (wanted.is_for(current_position_request)) {
-    tell_current_position();
+    report_current_position();
   }
 }
 
@@ -110,7 +110,7 @@ const NamedPlace* NavigationUnit::here() const {
   return position_now ? hardware_.gazetteer.nearest(*position_now) : nullptr;
 }
 
-void NavigationUnit::tell_current_position() {
+void NavigationUnit::report_current_position() {
   const NamedPlace* place = here();
   values_[current_position_city] = place != nullptr ? place->city : "";
   values_[current_position_street] = place != nullptr ? place->street : "";
@@ -141,7 +141,7 @@ void NavigationUnit::cancel() {
   destination_.reset();
   waiting_.reset();
   hardware_.guide(nullptr);
-  tell_distance();
+  report_distance();
 }
 
 void NavigationUnit::look(Time now) {
@@ -155,7 +155,7 @@ void NavigationUnit::follow() {
     destination_ = std::exchange(waiting_, std::nullopt);
     hardware_.guide(destination_ ? &*destination_ : nullptr);
   }
-  tell_distance();
+  report_distance();
 }
 
 std::optional<double> NavigationUnit::distance() const {
@@ -165,7 +165,7 @@ std::optional<double> NavigationUnit::distance() const {
                         : metres_between(*here, *destination_);
 }
 
-void NavigationUnit::tell_distance() {
+void NavigationUnit::report_distance() {
   const auto told = values_[distance_to_selected_destination];
   const auto set = [&](std::int64_t code) { told.set_raw(static_cast<std::uint16_t>(code)); };
   const auto metres = distance();

@@ -82,11 +82,11 @@ class NavigationUnit {
   AbortCode refuses(const Commanded& wanted);
   void commanded(const Commanded& wanted);
   void describe();
-  void tell_current_position();
+  void report_current_position();
   void start(bool interrupts);
   void look(Time now);
   void follow();
-  void tell_distance();
+  void report_distance();
   std::optional<GeoPosition> position() const;
   bool has_failed() const;
 

@@ -62,9 +62,9 @@ void PrinterUnit::reset(ResetScope) {
   stream_.set_mode(settings_.can.text ? PrinterMode::text : PrinterMode::graphics_black);
   use_font();
   values_[printer_mode_status] = stream_.mode();
-  tell_features();
-  tell_sizes();
-  tell_state();
+  report_features();
+  report_sizes();
+  report_state();
 }
 
 // Settings of the clients.
@@ -141,7 +141,7 @@ void PrinterUnit::commanded(const Commanded& wanted) {
 
 void PrinterUnit::use_font() {
   stream_.set_style(font_.style(), font_.characters_per_line());
-  tell_font();
+  report_font();
 }
 
 // The transport.
@@ -155,7 +155,7 @@ AbortCode PrinterUnit::open(const Entry&, std::uint32_t) {
   if (!can_print() || is_transporting_) return AbortCode::device_state;
   mechanism_ = PrinterMechanism::working;
   is_transporting_ = true;
-  tell_state();
+  report_state();
   return AbortCode::none;
 }
 
@@ -171,7 +171,7 @@ AbortCode PrinterUnit::close(const Entry&, bool) {
   is_transporting_ = false;
   if (can_print()) stream_.end();
   count_motion();
-  tell_state();
+  report_state();
   return AbortCode::none;
 }
 
@@ -192,7 +192,7 @@ void PrinterUnit::finished(Time) {
     stream_.feed_lines(settings_.automatic_lines);
     count_motion();
   }
-  tell_state();
+  report_state();
 }
 
 // The mechanism.
@@ -201,19 +201,19 @@ void PrinterUnit::sense_paper(bool is_there) {
   has_paper_ = is_there;
   // Outstanding movements are cancelled.
   if (!is_there) busy_until_ = network_.node().now();
-  tell_state();
+  report_state();
 }
 
 void PrinterUnit::sense(PrinterMechanism mechanism) {
   mechanism_ = mechanism;
   if (mechanism == PrinterMechanism::failure) busy_until_ = network_.node().now();
-  tell_state();
+  report_state();
 }
 
 // Statuses.
 
 /// Without paper, nothing can be printed: this is a failure, and 60E1h gives the reason.
-void PrinterUnit::tell_state() {
+void PrinterUnit::report_state() {
   const bool has_failed = mechanism_ == PrinterMechanism::failure;
   PrinterState state = is_busy() ? PrinterState::busy : PrinterState::ready;
   if (mechanism_ == PrinterMechanism::standby && !is_busy()) state = PrinterState::standby;
@@ -223,7 +223,7 @@ void PrinterUnit::tell_state() {
   values_[printer_errors_no_paper] = has_failed ? Signal::failure : signal(!has_paper_);
 }
 
-void PrinterUnit::tell_features() {
+void PrinterUnit::report_features() {
   const PrinterAbilities& can = settings_.can;
   const PrinterFontLimits& font = settings_.font;
   const bool scales = font.height_max > font.height_min || font.width_max > font.width_min;
@@ -244,7 +244,7 @@ void PrinterUnit::tell_features() {
   values_[printer_features_lines_to_form_feed] = settings_.lines_to_form_feed;
 }
 
-void PrinterUnit::tell_sizes() {
+void PrinterUnit::report_sizes() {
   const PrinterFontLimits& font = settings_.font;
   values_[printer_text_status_maximum_number_of_characters_per_full_line] = font.characters_max();
   values_[printer_text_status_minimum_number_of_characters_per_full_line] = font.characters_min();
@@ -267,7 +267,7 @@ void PrinterUnit::tell_sizes() {
   }
 }
 
-void PrinterUnit::tell_font() {
+void PrinterUnit::report_font() {
   const PrintStyle style = font_.style();
   values_[printer_text_status_current_number_of_characters_per_full_line] =
       font_.characters_per_line();

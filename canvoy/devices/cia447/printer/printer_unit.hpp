@@ -89,10 +89,10 @@ class PrinterUnit {
   void finished(Time now);
 
   void list_lacking();
-  void tell_state();
-  void tell_features();
-  void tell_sizes();
-  void tell_font();
+  void report_state();
+  void report_features();
+  void report_sizes();
+  void report_font();
 
   CarNetwork& network_;
   PrinterSettings settings_;

@@ -74,7 +74,7 @@ void RealTimeClockUnit::reset(ResetScope /*scope*/) {
     base_ = -std::chrono::minutes(settings_.zone.offset_minutes);
     look();
   }
-  tell_zone();
+  report_zone();
   tick(network_.node().now());
 }
 
@@ -137,7 +137,7 @@ void RealTimeClockUnit::tell() {
       .set_raw(static_cast<std::uint8_t>(minutes / quarter_minutes + quarters_of_no_offset));
 }
 
-void RealTimeClockUnit::tell_zone() {
+void RealTimeClockUnit::report_zone() {
   value(rtc_type_and_status_source) = settings_.source;
   value(rtc_type_and_status_trustability) = settings_.trustability;
   const bool has_summer = settings_.zone.summer.has_value();

@@ -71,7 +71,7 @@ class RealTimeClockUnit {
   void tick(Time now);
   void look();
   void tell();
-  void tell_zone();
+  void report_zone();
 
   struct Wanted {
     std::optional<std::uint32_t> parts[3] = {};  ///< year, month, day; or hour, minute, 1/100 s

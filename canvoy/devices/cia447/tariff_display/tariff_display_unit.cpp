@@ -43,7 +43,7 @@ constexpr LampPlaces input_places =
 }(std::make_integer_sequence<unsigned, tariff_lamps_max>{});
 
 /// A character that 610Ah can hold (errata Z12).
-std::uint8_t told_character(std::uint8_t character) {
+std::uint8_t reported_character(std::uint8_t character) {
   constexpr std::uint8_t not_available = 0xFF;
   const bool is_told =
       character == 0 || (character >= 0x20 && character <= 0x7E) || character >= 0xFE;
@@ -172,10 +172,10 @@ void TariffDisplayUnit::tell() {
   }
   const bool has_first = settings_.level_characters >= 1;
   const bool has_second = settings_.level_characters >= 2;
-  display[tariff_display_tariff_level_character_1].set_raw(has_first ? told_character(level_[0])
+  display[tariff_display_tariff_level_character_1].set_raw(has_first ? reported_character(level_[0])
                                                                      : std::uint8_t{0xFF});
-  display[tariff_display_tariff_level_character_2].set_raw(has_second ? told_character(level_[1])
-                                                                      : std::uint8_t{0xFF});
+  display[tariff_display_tariff_level_character_2].set_raw(
+      has_second ? reported_character(level_[1]) : std::uint8_t{0xFF});
 }
 
 }  // namespace canvoy::cia447

@@ -40,7 +40,7 @@ BusClock::BusClock(Node& node) : node_(node) {
   node.attach(service_);
 }
 
-std::optional<std::int64_t> BusClock::told_days() const {
+std::optional<std::int64_t> BusClock::reported_days() const {
   const Values values(node_.dictionary());
   const auto year = values[rtc_date_year];
   const auto month = values[rtc_date_month];
@@ -50,7 +50,7 @@ std::optional<std::int64_t> BusClock::told_days() const {
   return days_since_1970(year.raw(), month.raw(), of_month.raw());
 }
 
-std::optional<Duration> BusClock::told_time() const {
+std::optional<Duration> BusClock::reported_time() const {
   const Values values(node_.dictionary());
   const auto hour = values[rtc_time_hour];
   const auto minute = values[rtc_time_minute];
@@ -65,8 +65,8 @@ void BusClock::told(std::uint16_t index) {
 }
 
 void BusClock::take(bool has_new_time) {
-  const auto days = told_days();
-  const auto time = told_time();
+  const auto days = reported_days();
+  const auto time = reported_time();
   const bool is_new = has_new_time || days != days_before_ || time != time_before_;
   const bool is_date_only = !has_new_time && time == time_before_ && is_told_;
   if (!is_new) return;

@@ -61,8 +61,8 @@ class BusClock {
   void date_came() { take(false); }
   void time_came() { take(true); }
   void take(bool has_new_time);
-  std::optional<std::int64_t> told_days() const;
-  std::optional<Duration> told_time() const;
+  std::optional<std::int64_t> reported_days() const;
+  std::optional<Duration> reported_time() const;
 
   Node& node_;
   bool is_told_ = false;

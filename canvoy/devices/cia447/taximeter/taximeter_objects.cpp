@@ -4,7 +4,7 @@
 
 namespace canvoy::cia447 {
 
-void TaximeterObjects::tell_trip(const TripData& data, bool is_all) {
+void TaximeterObjects::report_trip(const TripData& data, bool is_all) {
   if (!is_all && data == told_) return;
   told_ = data;
   sequence_ = next_sequence(sequence_);
@@ -12,13 +12,13 @@ void TaximeterObjects::tell_trip(const TripData& data, bool is_all) {
   value(taxi_trip_data_sequence_counter).set_raw(sequence_);
 }
 
-void TaximeterObjects::tell_state(Taximeter state, bool is_turning_off) {
+void TaximeterObjects::report_state(Taximeter state, bool is_turning_off) {
   value(taximeter_status) = state;
   value(taximeter_status_changing_to_off) = is_turning_off ? Signal::yes : Signal::no;
 }
 
 /// Lost totals are a failure until the meter is sealed again.
-void TaximeterObjects::tell_totals(const TaximeterRecord& record) {
+void TaximeterObjects::report_totals(const TaximeterRecord& record) {
   constexpr std::uint32_t failure = 0xFFFF'FFFE;
   const auto tell = [&, this](const auto& handle, std::uint32_t total) {
     value(handle).set_raw(record.totals_are_known ? total : failure);
@@ -39,8 +39,8 @@ void TaximeterObjects::tell_totals(const TaximeterRecord& record) {
   tell(taximeter_totalizers_shift_fare, shift.fare);
 }
 
-void TaximeterObjects::tell_configuration(const TaximeterRecord& record,
-                                          const TaximeterSettings& settings) {
+void TaximeterObjects::report_configuration(const TaximeterRecord& record,
+                                            const TaximeterSettings& settings) {
   value(taximeter_configuration_k_value).set_raw(record.k);
   value(taximeter_configuration_mode) = record.mode;
   value(taximeter_configuration_tariff) = record.tariff;

@@ -2,7 +2,7 @@
 // 60DBh; CiA 447-3, 4.2.12).
 //
 //     TaximeterObjects objects(node);
-//     objects.tell_trip(data, false);     // 60DBh counts where something of it is new
+//     objects.report_trip(data, false);     // 60DBh counts where something of it is new
 #pragma once
 
 #include "canvoy/canopen/node/node.hpp"
@@ -21,13 +21,13 @@ class TaximeterObjects {
   TaximeterObjects& operator=(const TaximeterObjects&) = delete;
 
   /// Writes the trip. Without a change, only if `is_all`.
-  void tell_trip(const TripData& data, bool is_all);
+  void report_trip(const TripData& data, bool is_all);
   /// Writes the state of the taximeter.
-  void tell_state(Taximeter state, bool is_turning_off);
+  void report_state(Taximeter state, bool is_turning_off);
   /// Writes the totals, 60D9h.
-  void tell_totals(const TaximeterRecord& record);
+  void report_totals(const TaximeterRecord& record);
   /// Writes the configuration, 60DAh.
-  void tell_configuration(const TaximeterRecord& record, const TaximeterSettings& settings);
+  void report_configuration(const TaximeterRecord& record, const TaximeterSettings& settings);
 
  private:
   template <class Handle>

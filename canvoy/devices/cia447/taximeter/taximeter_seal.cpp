@@ -155,14 +155,14 @@ AbortCode TaximeterUnit::check_settings(const Entry& entry, std::span<const std:
   return AbortCode::device_state;
 }
 
-void TaximeterUnit::tell_audit() {
+void TaximeterUnit::report_audit() {
   Dictionary& dictionary = network_.node().dictionary();
   dictionary.set_number(audit_object.index, 1, audit_.events());
   dictionary.set_number(audit_object.index, 2, audit_.size());
   dictionary.set_number(audit_object.index, 3, audit_.lost());
 }
 
-void TaximeterUnit::tell_audit_line(const Entry& entry) {
+void TaximeterUnit::report_audit_line(const Entry& entry) {
   if (entry.sub == 0) return;
   const AuditEntry* const kept = audit_.newest(entry.sub - 1U);
   const AuditText text = kept != nullptr ? audit_text(*kept) : AuditText();

@@ -40,8 +40,8 @@ constexpr AccessHandlers TaximeterUnit::hook_calls[] = {
     after_write<&TaximeterUnit::source_came, wheel_signal_source_object>,
     after_write<&TaximeterUnit::count_came, wheel_pulse_counter_object>,
     after_write<&TaximeterUnit::source_came, wheel_pulse_counter_overrun_value_object>,
-    before_read<&TaximeterUnit::tell_audit, audit_object>,
-    before_read<&TaximeterUnit::tell_audit_line, audit_log_object>};
+    before_read<&TaximeterUnit::report_audit, audit_object>,
+    before_read<&TaximeterUnit::report_audit_line, audit_log_object>};
 constexpr ServiceHandlers TaximeterUnit::service_calls = {.reset = method<&TaximeterUnit::reset>,
                                                           .hooks = hook_calls};
 
@@ -158,9 +158,9 @@ void TaximeterUnit::keep() {
 /// At a reset of the bus, writes all, otherwise the changes.
 void TaximeterUnit::publish(bool is_all) {
   const TripData data = trip_data(record_.trip, fare_);
-  objects_.tell_trip(data, is_all);
-  objects_.tell_state(record_.state, is_turning_off_);
-  objects_.tell_totals(record_);
+  objects_.report_trip(data, is_all);
+  objects_.report_state(record_.state, is_turning_off_);
+  objects_.report_totals(record_);
   if (is_all) publish_configuration();
   const TaximeterDisplay display = {.state = record_.state,
                                     .trip = data,
@@ -180,12 +180,12 @@ void TaximeterUnit::hardware_changed() {
 /// The clock on the bus has priority; the meter's own one continues from it, also over a loss of
 /// power. In a trip, neither changes the time.
 std::optional<LocalTime> TaximeterUnit::clock() {
-  const std::optional<LocalTime> told = told_time();
+  const std::optional<LocalTime> told = reported_time();
   if (!told) return std::nullopt;
   return clock_bounds_.take(*told, network_.node().now(), has_trip_under_way());
 }
 
-std::optional<LocalTime> TaximeterUnit::told_time() {
+std::optional<LocalTime> TaximeterUnit::reported_time() {
   const std::optional<LocalTime> told = bus_clock_.read();
   std::optional<LocalTime> own = hardware_.clock();
   const bool is_refused =
@@ -203,7 +203,7 @@ std::optional<LocalTime> TaximeterUnit::told_time() {
 /// Each step has an entry; a refused one only once in a trip.
 void TaximeterUnit::watch_clock_step() {
   const Time now = network_.node().now();
-  const std::optional<LocalTime> told = told_time();
+  const std::optional<LocalTime> told = reported_time();
   if (!told) return;
   const bool has_trip = has_trip_under_way();
   if (!has_trip) is_clock_refused_ = false;

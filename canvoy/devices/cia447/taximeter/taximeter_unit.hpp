@@ -214,8 +214,8 @@ class TaximeterUnit {
             std::uint8_t who = by_meter);
   void write_refused(const RefusedWrite& refused);
   AbortCode check_settings(const Entry& entry, std::span<const std::uint8_t> value);
-  void tell_audit();
-  void tell_audit_line(const Entry& entry);
+  void report_audit();
+  void report_audit_line(const Entry& entry);
   void keep_audit(bool at_once);
   bool has_wheel_signal() const;
   bool is_signed_on() const;
@@ -223,13 +223,13 @@ class TaximeterUnit {
   bool has_trip_under_way() const { return is_hired() || record_.state == Taximeter::stopped; }
 
   std::optional<LocalTime> clock();
-  std::optional<LocalTime> told_time();
+  std::optional<LocalTime> reported_time();
   std::int64_t utc_now();
   const TariffLevel& present_level();
   TaximeterRecord kept() const;
   void keep();
   void publish(bool is_all = false);
-  void publish_configuration() { objects_.tell_configuration(record_, settings_); }
+  void publish_configuration() { objects_.report_configuration(record_, settings_); }
 
   template <class Handle>
   auto value(const Handle& handle) const {

@@ -8,7 +8,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-std::uint32_t told_seconds(Duration time) {
+std::uint32_t reported_seconds(Duration time) {
   return capped(static_cast<std::uint64_t>(std::chrono::floor<std::chrono::seconds>(time).count()));
 }
 
@@ -20,7 +20,7 @@ void fill_fare(TripData& data, const FareCalculation& fare) {
   data.mode = fare.mode();
   data.minimum_fare = is_fixed ? 0 : fare.minimum_fare();
   data.initial_fare = is_fixed ? 0 : fare.initial_fare();
-  data.waiting = told_seconds(fare.charged_time());
+  data.waiting = reported_seconds(fare.charged_time());
   data.level = {static_cast<std::uint8_t>(level.name[0]), static_cast<std::uint8_t>(level.name[1])};
   data.time_rate = is_fixed ? 0 : level.time_rate;
   data.distance_rate = is_fixed ? 0 : level.distance_rate;
@@ -38,7 +38,7 @@ TripData trip_data(const TaxiTrip& trip, const FareCalculation& fare) {
   if (!trip.is_there) return data;
   data.supplements = trip.supplements;
   data.distance = capped(trip.pulses * thousandths / std::max(fare.state().conditions.k, 1U));
-  data.duration = told_seconds(Duration(trip.duration));
+  data.duration = reported_seconds(Duration(trip.duration));
   data.start = seconds_since_1970(trip.start);
   data.finish = seconds_since_1970(trip.finish);
   if (trip.has_fare) fill_fare(data, fare);

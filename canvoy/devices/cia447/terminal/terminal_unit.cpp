@@ -106,7 +106,7 @@ void TerminalUnit::reset(ResetScope) {
   for (PartLock& lock : locks_) lock.reset();
   takes_iso_tp_ = false;
   buzz(false, 0);
-  tell_parameters();
+  report_parameters();
   for (unsigned part = 0; part < lockable_part_count; ++part) tell(TerminalPart(part));
   icons_1_.reset();
   icons_2_.reset();
@@ -212,10 +212,10 @@ AbortCode TerminalUnit::check_text(TerminalPart part, const TextArea& area,
 }
 
 void TerminalUnit::display_1_written() {
-  tell_display(TerminalDisplay::display_1);
+  report_display(TerminalDisplay::display_1);
 }
 void TerminalUnit::display_2_written() {
-  tell_display(TerminalDisplay::display_2);
+  report_display(TerminalDisplay::display_2);
 }
 
 DisplayContent TerminalUnit::content(TerminalDisplay display) const {
@@ -231,7 +231,7 @@ DisplayContent TerminalUnit::content(TerminalDisplay display) const {
   return content;
 }
 
-void TerminalUnit::tell_display(TerminalDisplay display) {
+void TerminalUnit::report_display(TerminalDisplay display) {
   const TerminalPart part = part_of(display);
   // Contents of the car are no text of an add-on device.
   if (holder(part) == 0 && display == TerminalDisplay::display_1) {
@@ -245,9 +245,9 @@ void TerminalUnit::tell_display(TerminalDisplay display) {
 
 // Statuses.
 
-void TerminalUnit::tell_parameters() {
-  const auto tell_area = [this](const TextArea& area, TerminalPart part, const auto& lines,
-                                const auto& columns, const auto& characters) {
+void TerminalUnit::report_parameters() {
+  const auto report_area = [this](const TextArea& area, TerminalPart part, const auto& lines,
+                                  const auto& columns, const auto& characters) {
     if (!has(part)) {
       values_[lines] = std::nullopt;
       values_[columns] = std::nullopt;
@@ -258,10 +258,10 @@ void TerminalUnit::tell_parameters() {
     values_[columns].set_raw(told(columns, area.columns));
     values_[characters].set_raw(told(characters, area.characters));
   };
-  tell_area(settings_.display_1, TerminalPart::display_1, display_1_parameters_line_number,
-            display_1_parameters_column_number, display_1_parameters_maximal_character_number);
-  tell_area(settings_.display_2, TerminalPart::display_2, display_2_parameters_line_number,
-            display_2_parameters_column_number, display_2_parameters_maximal_character_number);
+  report_area(settings_.display_1, TerminalPart::display_1, display_1_parameters_line_number,
+              display_1_parameters_column_number, display_1_parameters_maximal_character_number);
+  report_area(settings_.display_2, TerminalPart::display_2, display_2_parameters_line_number,
+              display_2_parameters_column_number, display_2_parameters_maximal_character_number);
 }
 
 void TerminalUnit::sense(TerminalPart part, PartState state) {
@@ -292,7 +292,7 @@ TerminalAccess TerminalUnit::access(TerminalPart part) const {
 
 /// Pressed keys and lit lamps, as far as the part works.
 template <class Handle, class Code>
-void TerminalUnit::tell_sensed(TerminalPart part, const Handle& handle, Code sensed) {
+void TerminalUnit::report_sensed(TerminalPart part, const Handle& handle, Code sensed) {
   switch (state(part)) {
     case PartState::working:
       values_[handle] = sensed;
@@ -313,54 +313,56 @@ void TerminalUnit::tell(TerminalPart part) {
   switch (part) {
     case TerminalPart::number_pad:
       values_[number_pad_status_access] = access(part);
-      tell_sensed(part, number_pad_user_interaction, number_pad_.state());
+      report_sensed(part, number_pad_user_interaction, number_pad_.state());
       break;
     case TerminalPart::function_pad:
       values_[function_keys_status_key_access] = access(part);
-      tell_sensed(part, function_keys_user_interaction_key, function_keys_.state());
+      report_sensed(part, function_keys_user_interaction_key, function_keys_.state());
       break;
     case TerminalPart::control_pad:
       values_[control_keys_status_key_access] = access(part);
-      tell_sensed(part, control_keys_user_interaction_key, control_keys_.state());
+      report_sensed(part, control_keys_user_interaction_key, control_keys_.state());
       break;
     case TerminalPart::switch_pad:
       values_[steering_wheel_switch_pad_status_access] = access(part);
-      tell_sensed(part, steering_wheel_switch_pad_user_interaction, switch_pad_.state());
+      report_sensed(part, steering_wheel_switch_pad_user_interaction, switch_pad_.state());
       break;
     case TerminalPart::emergency_key:
       values_[emergency_key_status_access] = access(part);
-      tell_sensed(part, emergency_key_user_interaction, emergency_key_ ? Signal::yes : Signal::no);
+      report_sensed(part, emergency_key_user_interaction,
+                    emergency_key_ ? Signal::yes : Signal::no);
       break;
     case TerminalPart::display_1:
       values_[display_1_status] = access(part);
-      tell_display(TerminalDisplay::display_1);
+      report_display(TerminalDisplay::display_1);
       break;
     case TerminalPart::display_2:
       values_[display_2_status] = access(part);
-      tell_display(TerminalDisplay::display_2);
+      report_display(TerminalDisplay::display_2);
       break;
     case TerminalPart::warnings:
-      tell_warnings();
+      report_warnings();
       break;
     default:
       break;
   }
 }
 
-void TerminalUnit::tell_warnings() {
-  const auto tell_one = [this](const auto& handle, TerminalWarning warning) {
-    tell_sensed(TerminalPart::warnings, handle, is_warning(warning) ? Signal::yes : Signal::no);
+void TerminalUnit::report_warnings() {
+  const auto report_one = [this](const auto& handle, TerminalWarning warning) {
+    report_sensed(TerminalPart::warnings, handle, is_warning(warning) ? Signal::yes : Signal::no);
   };
-  tell_one(functional_warnings_status_fire_extinguishing_system_cartridge_empty,
-           TerminalWarning::fire_cartridge_empty);
-  tell_one(functional_warnings_status_fire_extinguishing_system_active,
-           TerminalWarning::fire_active);
-  tell_one(functional_warnings_status_fire_extinguishing_system_on, TerminalWarning::fire_on);
-  tell_one(functional_warnings_status_fire_extinguishing_system_fault, TerminalWarning::fire_fault);
-  tell_one(functional_warnings_status_fresh_air_system_cylinder_empty,
-           TerminalWarning::air_cylinder_empty);
-  tell_one(functional_warnings_status_fresh_air_system_active, TerminalWarning::air_active);
-  tell_one(functional_warnings_status_fresh_air_system_inactive, TerminalWarning::air_inactive);
+  report_one(functional_warnings_status_fire_extinguishing_system_cartridge_empty,
+             TerminalWarning::fire_cartridge_empty);
+  report_one(functional_warnings_status_fire_extinguishing_system_active,
+             TerminalWarning::fire_active);
+  report_one(functional_warnings_status_fire_extinguishing_system_on, TerminalWarning::fire_on);
+  report_one(functional_warnings_status_fire_extinguishing_system_fault,
+             TerminalWarning::fire_fault);
+  report_one(functional_warnings_status_fresh_air_system_cylinder_empty,
+             TerminalWarning::air_cylinder_empty);
+  report_one(functional_warnings_status_fresh_air_system_active, TerminalWarning::air_active);
+  report_one(functional_warnings_status_fresh_air_system_inactive, TerminalWarning::air_inactive);
 }
 
 // Keys.

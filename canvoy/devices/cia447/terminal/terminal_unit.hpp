@@ -118,11 +118,11 @@ class TerminalUnit {
   void display_2_written();
   void tell(TerminalPart part);
   template <class Handle, class Code>
-  void tell_sensed(TerminalPart part, const Handle& handle, Code sensed);
-  void tell_warnings();
+  void report_sensed(TerminalPart part, const Handle& handle, Code sensed);
+  void report_warnings();
   TerminalAccess access(TerminalPart part) const;
-  void tell_display(TerminalDisplay display);
-  void tell_parameters();
+  void report_display(TerminalDisplay display);
+  void report_parameters();
   void list_lacking();
   PartState state(TerminalPart part) const { return states_[number_of(part)]; }
   bool has(TerminalPart part) const { return state(part) != PartState::not_available; }

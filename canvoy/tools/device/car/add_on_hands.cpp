@@ -139,8 +139,8 @@ CarHandTable power_supply_hands() {
     return status<PowerSupplyUnit>(
         name, place, [supply, place](PowerSupplyUnit& unit, const HandValue& value) {
           const bool is_known = value.meaning == Meaning::state;
-          tell_status(unit.switching(), place,
-                      is_known ? HandValue{.meaning = Meaning::padding} : value);
+          report_status(unit.switching(), place,
+                        is_known ? HandValue{.meaning = Meaning::padding} : value);
           if (is_known) unit.report_overload(supply, value.code == 1);
         });
   };
@@ -149,7 +149,7 @@ CarHandTable power_supply_hands() {
       overload("radio-overload", Supply::radio, place_of(radio_power_supply_status_overload)),
       overload("periphery-overload", Supply::periphery,
                place_of(periphery_power_supply_status_overload))};
-  table.tell = tell_switched<PowerSupplyUnit>;
+  table.tell = report_switched<PowerSupplyUnit>;
   // Ignition, time and commands determine their own values.
   table.sensed_only = {whole(radio_power_supply_status_object),
                        whole(periphery_power_supply_status_object)};
@@ -166,7 +166,7 @@ CarHandTable hands_free_hands() {
   const FieldPlace place = place_of(radio_hand_free_status_key);
   DeviceHand pressed =
       key<HandsFreeUnit>("key", place, [place](HandsFreeUnit& unit, const HandValue& value) {
-        tell_status(unit.switching(), place, value);
+        report_status(unit.switching(), place, value);
       });
   for (const HandWord& word : words_of(place)) {
     const bool is_sensor = word.word == "failure" || word.word == "not-available";
@@ -186,7 +186,7 @@ CarHandTable audio_switch_hands() {
 
 template <class Kind>
 CarHandTable switched_table() {
-  return {.device = Kind::info.name, .tell = tell_switched<typename Kind::Unit>};
+  return {.device = Kind::info.name, .tell = report_switched<typename Kind::Unit>};
 }
 
 std::vector<CarHandTable> all_tables() {

@@ -89,7 +89,7 @@ DeviceHand vin_hand() {
 }
 
 /// The driver does not change what a hand has set.
-void tell_gateway(const HandTarget& target, const FieldPlace& place, const HandValue& value) {
+void report_gateway(const HandTarget& target, const FieldPlace& place, const HandValue& value) {
   auto& gateway = target.as<IvnGatewayUnit>();
   const bool has_driver = target.car != nullptr;
   if (has_driver && value.meaning == Meaning::state) target.car->set_by_hand(place);
@@ -97,7 +97,7 @@ void tell_gateway(const HandTarget& target, const FieldPlace& place, const HandV
   if (place.index == seat_adjustment_status_object.index) {
     return gateway.report(place, value.code);
   }
-  tell_status(gateway, place, value);
+  report_status(gateway, place, value);
 }
 
 CarHandTable table_of_rows() {
@@ -122,7 +122,7 @@ CarHandTable table_of_rows() {
       sensor("mirror-dimming", {place_of(mirror_anti_dazzle_position)}, CarSense::mirror_dimming,
              {0, 100, "%"}),
       vin_hand()};
-  table.tell = tell_gateway;
+  table.tell = report_gateway;
   return table;
 }
 

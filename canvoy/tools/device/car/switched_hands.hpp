@@ -1,6 +1,6 @@
 // Hands on a status of a unit that is a table of switched things (switching.hpp).
 //
-//     table.tell = tell_switched<RadioUnit>;
+//     table.tell = report_switched<RadioUnit>;
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline std::uint32_t code_of(const HandValue& value) {
 /// `reporter` has report() and sense() for any status. A reported state makes the sensor work
 /// again.
 template <class Reporter>
-void tell_status(Reporter& reporter, const cia447::FieldPlace& status, const HandValue& value) {
+void report_status(Reporter& reporter, const cia447::FieldPlace& status, const HandValue& value) {
   using cia447::Sensing;
   switch (value.meaning) {
     case Meaning::failure:
@@ -34,9 +34,9 @@ void tell_status(Reporter& reporter, const cia447::FieldPlace& status, const Han
 }
 
 template <class Unit>
-void tell_switched(const HandTarget& target, const cia447::FieldPlace& status,
-                   const HandValue& value) {
-  tell_status(target.as<Unit>().switching(), status, value);
+void report_switched(const HandTarget& target, const cia447::FieldPlace& status,
+                     const HandValue& value) {
+  report_status(target.as<Unit>().switching(), status, value);
 }
 
 }  // namespace canvoy::tools
