@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/formats/trace/trace_mf4_data.hpp"
 #include "canvoy/formats/trace/trace_mf4_group.hpp"
 #include "canvoy/formats/trace/trace_parser.hpp"
 

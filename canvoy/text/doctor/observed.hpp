@@ -17,9 +17,7 @@
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/text/doctor/heartbeat_watch.hpp"
 #include "canvoy/text/doctor/known_parameters.hpp"
-#include "canvoy/text/doctor/pdo_watch.hpp"
-#include "canvoy/text/doctor/sdo_watch.hpp"
-#include "canvoy/text/doctor/sheet_watch.hpp"
+#include "canvoy/text/doctor/object_watches.hpp"
 #include "canvoy/text/doctor/tally.hpp"
 
 namespace canvoy::text {

@@ -12,7 +12,6 @@
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/filter/filter_literal.hpp"
-#include "canvoy/tools/filter/filter_time.hpp"
 
 namespace canvoy::tools {
 

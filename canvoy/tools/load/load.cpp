@@ -27,7 +27,6 @@
 #include "canvoy/tools/load/load_result.hpp"
 #include "canvoy/tools/load/loaded_bus.hpp"
 #include "canvoy/tools/load/message_list.hpp"
-#include "canvoy/tools/load/sheet_messages.hpp"
 #include "canvoy/tools/play/world.hpp"
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"

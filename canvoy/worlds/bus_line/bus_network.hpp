@@ -47,7 +47,6 @@
 #include "canvoy/worlds/bus_line/on_board_computer.hpp"
 #include "canvoy/worlds/bus_line/second_car.hpp"
 #include "canvoy/worlds/bus_line/service_watch.hpp"
-#include "canvoy/worlds/bus_line/stop_requests.hpp"
 #include "canvoy/worlds/bus_line/ticket_devices.hpp"
 #include "canvoy/worlds/bus_line/true_clock.hpp"
 #include "canvoy/worlds/bus_line/true_data.hpp"

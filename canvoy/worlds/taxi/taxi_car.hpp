@@ -16,13 +16,15 @@
 
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/command_keeper.hpp"
 #include "canvoy/devices/cia447/printer/printer_paper.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
 #include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
+#include "canvoy/worlds/car/application.hpp"
 #include "canvoy/worlds/car/drive.hpp"
-#include "canvoy/worlds/taxi/alarm_control.hpp"
 #include "canvoy/worlds/taxi/route_guidance.hpp"
 #include "canvoy/worlds/taxi/taxi_meter.hpp"
 #include "canvoy/worlds/taxi/taxi_options.hpp"
@@ -30,6 +32,53 @@
 #include "canvoy/worlds/taxi/town_clock.hpp"
 
 namespace canvoy::taxi {
+
+// Application of the alarm of a taxi, beside its virtual device: it has the emergency light on the
+// roof blink (6106h; CiA 447-3, 4.2.16.4), and calls the control room by a radio of its own while
+// 6110h requests a call (CiA 447-3, 4.2.17.1).
+//
+//     AlarmControl control(network, {.has_called = ...}, {.sign = 5});
+//     control.alarm(true);    // TaxiAlarmHardware::alarm
+
+/// Outputs of the control.
+struct AlarmControlHardware {
+  /// The call has been sent and heard.
+  Callback<void()> has_called = {};
+};
+/// Node with the sign, and the time of a call.
+struct AlarmControlSettings {
+  NodeId sign = 0;           ///< 1 to 16
+  Duration call_takes = 2s;  ///< from the alarm to the end of the call
+};
+
+class AlarmControl {
+ public:
+  /// What these refer to must outlive this object.
+  AlarmControl(cia447::CarNetwork& network, const AlarmControlHardware& hardware,
+               const AlarmControlSettings& settings);
+  AlarmControl(const AlarmControl&) = delete;
+  AlarmControl& operator=(const AlarmControl&) = delete;
+
+  /// An alarm begins, or is over.
+  void alarm(bool is_on);
+
+ private:
+  void called(Time now);
+
+  cia447::CarNetwork& network_;
+  AlarmControlHardware hardware_;
+  AlarmControlSettings settings_;
+  cia447::CommandKeeper sign_;
+  bool is_on_ = false;
+  Timer call_;
+};
+
+/// Stands beside a taxi alarm.
+struct AlarmControlKind
+    : cia447::CarKind<AlarmControl, AlarmControlHardware, AlarmControlSettings> {
+  static constexpr DeviceInfo info = {.name = "alarm-control", .title = "control of an alarm"};
+  static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+};
 
 // The lamps of the sign on the roof of a taxi, as the tariff display drives them: what people at
 // the road see (CiA 447-3, 4.2.16.4).

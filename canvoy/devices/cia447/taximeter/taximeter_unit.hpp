@@ -35,7 +35,6 @@
 #include "canvoy/devices/cia447/taximeter/taximeter_objects.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_record.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_settings.hpp"
-#include "canvoy/devices/cia447/taximeter/wheel_check.hpp"
 #include "canvoy/devices/cia447/taximeter/wheel_pulses.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
