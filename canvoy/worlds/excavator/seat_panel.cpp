@@ -42,7 +42,6 @@ void SeatPanel::jam(Stick stick, bool is_jammed) {
 }
 
 cia852::OperatorHardware SeatPanel::hardware() {
-  using Byte = std::uint8_t;
   return {.joystick_axis = callback<&SeatPanel::joystick_axis>(*this),
           .joystick_buttons = callback<&SeatPanel::joystick_buttons>(*this),
           .joystick_memory = callback<&SeatPanel::joystick_memory>(*this),

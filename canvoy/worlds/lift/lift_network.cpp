@@ -15,8 +15,6 @@
 
 namespace canvoy::lift {
 
-namespace {
-
 // The faults of a plan in a building: it makes them in the devices and by fire brigades, mends
 // them, and reports them as events and to the referee, with their required consequences.
 //
@@ -98,6 +96,8 @@ void LiftFaults::set_one(const ScheduledFault& fault, bool present) {
   if (is_of_people) return people_->call_brigade(fault.part, present);
   devices_->set_fault(fault, present);
 }
+
+namespace {
 
 LiftSummary::Times times_of(const DurationSample& sample) {
   return {

@@ -1,4 +1,5 @@
-// The kinds of devices of a lift, for the catalogue. The source of each device makes its kind.
+// The kinds of devices of a lift, for the catalogue: a row each, in kinds.cpp or in the source of a
+// device that is put together of several units.
 #pragma once
 
 #include "canvoy/devices/kit/device_kind.hpp"

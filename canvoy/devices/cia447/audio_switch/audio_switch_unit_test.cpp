@@ -21,10 +21,6 @@ class AudioSwitch : public testing::Test {
   std::string answer_to(unsigned client) {
     return bench.ask_as(client, "40 22 61 00 00 00 00 00").substr(12, 2);
   }
-  void provide(Environment& environment) {
-    environment.watch(unit_);
-    environment.provide(callback<&AudioSwitch::hardware>(*this));
-  }
   AudioSwitchHardware hardware() {
     using Connect = Callback<void(unsigned, unsigned, std::uint8_t)>;
     return {.connect = Connect::to<&AudioSwitch::connected>(*this)};
@@ -38,8 +34,10 @@ class AudioSwitch : public testing::Test {
   std::string heard;
   int changes = 0;
   AudioSwitchUnit* unit_ = nullptr;
-  CarBench bench{only_unit<AudioSwitchKind>,
-                 [this](Environment& environment) { provide(environment); }};
+  CarBench bench{only_unit<AudioSwitchKind>, [this](Environment& environment) {
+                   environment.watch(unit_);
+                   environment.provide(callback<&AudioSwitch::hardware>(*this));
+                 }};
 };
 
 TEST_F(AudioSwitch, NothingIsConnectedAndNothingAskedAtFirst) {

@@ -15,11 +15,9 @@ constexpr std::uint32_t status_pdo = 0x38B;
 
 class BlueLight : public testing::Test {
  protected:
-  void provide(Environment& environment) { environment.watch(unit_); }
-
   BlueLightUnit* unit_ = nullptr;
   CarBench bench{only_unit<BlueLightKind>,
-                 [this](Environment& environment) { provide(environment); }};
+                 [this](Environment& environment) { environment.watch(unit_); }};
 };
 
 TEST_F(BlueLight, AllAreOffAtFirstAndReservedBitsAreOne) {

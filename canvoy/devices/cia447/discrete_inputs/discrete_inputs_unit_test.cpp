@@ -16,11 +16,10 @@ class DiscreteInputs : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x398);
   }
-  void provide(Environment& environment) { environment.watch(unit_); }
 
   DiscreteInputsUnit* unit_ = nullptr;
   CarBench bench{only_unit<DiscreteInputsKind>,
-                 [this](Environment& environment) { provide(environment); }};
+                 [this](Environment& environment) { environment.watch(unit_); }};
 };
 
 TEST_F(DiscreteInputs, EachIsToldWhenItChanges) {

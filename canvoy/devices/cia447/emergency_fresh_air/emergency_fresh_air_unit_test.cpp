@@ -15,11 +15,10 @@ class FreshAirTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38D);
   }
-  void provide(Environment& environment) { environment.watch(unit_); }
 
   EmergencyFreshAirUnit* unit_ = nullptr;
   CarBench bench{only_unit<EmergencyFreshAirKind>,
-                 [this](Environment& environment) { provide(environment); }};
+                 [this](Environment& environment) { environment.watch(unit_); }};
 };
 
 TEST_F(FreshAirTest, ItIsInStandbyWhenItHasLookedAtItself) {

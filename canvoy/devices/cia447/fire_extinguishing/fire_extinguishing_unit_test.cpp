@@ -15,11 +15,10 @@ class FireExtinguishingTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38E);
   }
-  void provide(Environment& environment) { environment.watch(unit_); }
 
   FireExtinguishingUnit* unit_ = nullptr;
   CarBench bench{only_unit<FireExtinguishingKind>,
-                 [this](Environment& environment) { provide(environment); }};
+                 [this](Environment& environment) { environment.watch(unit_); }};
 };
 
 TEST_F(FireExtinguishingTest, ItIsInStandbyWhenItHasLookedAtItself) {

@@ -13,10 +13,6 @@ class HandsFree : public testing::Test {
   std::string command(const std::string& byte) {
     return bench.ask("2F 51 61 00 " + byte + " 00 00 00");
   }
-  void provide(Environment& environment) {
-    environment.watch(unit_);
-    environment.provide(callback<&HandsFree::hardware>(*this));
-  }
   HandsFreeHardware hardware() {
     return {.show_led = callback<&HandsFree::show_led>(*this),
             .mute = callback<&HandsFree::mute>(*this)};
@@ -26,8 +22,10 @@ class HandsFree : public testing::Test {
 
   std::string told;
   HandsFreeUnit* unit_ = nullptr;
-  CarBench bench{only_unit<HandsFreeKind>,
-                 [this](Environment& environment) { provide(environment); }};
+  CarBench bench{only_unit<HandsFreeKind>, [this](Environment& environment) {
+                   environment.watch(unit_);
+                   environment.provide(callback<&HandsFree::hardware>(*this));
+                 }};
 };
 
 TEST_F(HandsFree, TheKeyIsTold) {

@@ -42,7 +42,10 @@ class CarOnBench {
  public:
   explicit CarOnBench(const CarSettings& settings = {})
       : settings_(settings), bench(only_unit<IvnGatewayKind>, [this](Environment& environment) {
-          provide(environment);
+          environment.manages_network = false;  // the test is the master
+          environment.provide(callback<&DrivenCar::hardware>(car));
+          environment.provide(callback<&CarOnBench::settings>(*this));
+          environment.watch(unit_);
         }) {}
 
   IvnGatewayUnit& gateway() { return *unit_; }
@@ -51,12 +54,6 @@ class CarOnBench {
   DrivenCar car;
 
  private:
-  void provide(Environment& environment) {
-    environment.manages_network = false;  // the test is the master
-    environment.provide(callback<&DrivenCar::hardware>(car));
-    environment.provide(callback<&CarOnBench::settings>(*this));
-    environment.watch(unit_);
-  }
   CarSettings settings() { return settings_; }
 
   CarSettings settings_;

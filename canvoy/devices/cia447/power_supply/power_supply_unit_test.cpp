@@ -17,10 +17,6 @@ class PowerSupply : public testing::Test {
     cable.run_for(0s);
   }
   std::string status() { return cable.last(0x39D); }
-  void provide(Environment& environment) {
-    environment.watch(unit_);
-    environment.provide(callback<&PowerSupply::hardware>(*this));
-  }
   PowerSupplyHardware hardware() {
     return {.switch_power = callback<&PowerSupply::switched>(*this)};
   }
@@ -31,8 +27,10 @@ class PowerSupply : public testing::Test {
 
   std::string told;
   PowerSupplyUnit* unit_ = nullptr;
-  CarBench bench{only_unit<PowerSupplyKind>,
-                 [this](Environment& environment) { provide(environment); }};
+  CarBench bench{only_unit<PowerSupplyKind>, [this](Environment& environment) {
+                   environment.watch(unit_);
+                   environment.provide(callback<&PowerSupply::hardware>(*this));
+                 }};
   Cable& cable = bench.cable;
 };
 

@@ -18,10 +18,10 @@ class Radio : public testing::Test {
     command("FD");
     cable.run_for(1s);
   }
-  void provide(Environment& environment) { environment.watch(unit_); }
 
   RadioUnit* unit_ = nullptr;
-  CarBench bench{only_unit<RadioKind>, [this](Environment& environment) { provide(environment); }};
+  CarBench bench{only_unit<RadioKind>,
+                 [this](Environment& environment) { environment.watch(unit_); }};
   Cable& cable = bench.cable;
 };
 

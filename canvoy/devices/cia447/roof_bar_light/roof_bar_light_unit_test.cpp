@@ -17,11 +17,10 @@ class RoofBarLight : public testing::Test {
   std::string status(unsigned sub) {
     return bench.ask("40 31 61 0" + std::to_string(sub) + " 00 00 00 00").substr(12);
   }
-  void provide(Environment& environment) { environment.watch(unit_); }
 
   RoofBarLightUnit* unit_ = nullptr;
   CarBench bench{only_unit<RoofBarLightKind>,
-                 [this](Environment& environment) { provide(environment); }};
+                 [this](Environment& environment) { environment.watch(unit_); }};
   Cable& cable = bench.cable;
 };
 

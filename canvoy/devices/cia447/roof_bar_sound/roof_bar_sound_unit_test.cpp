@@ -22,17 +22,15 @@ class RoofBarSoundTest : public testing::Test {
   std::string status() { return bench.ask("40 3B 61 01 00 00 00 00").substr(12); }
   void settle() { cable.run_for(50ms); }
 
-  void provide(Environment& environment) {
-    environment.watch(unit_);
-    environment.provide(callback<&RoofBarSoundTest::hardware>(*this));
-  }
   RoofBarSoundHardware hardware() { return {.play = callback<&RoofBarSoundTest::play>(*this)}; }
   void play(const RoofBarSound& sound) { heard.push_back(sound); }
 
   std::vector<RoofBarSound> heard;
   RoofBarSoundUnit* unit_ = nullptr;
-  CarBench bench{only_unit<RoofBarSoundKind>,
-                 [this](Environment& environment) { provide(environment); }};
+  CarBench bench{only_unit<RoofBarSoundKind>, [this](Environment& environment) {
+                   environment.watch(unit_);
+                   environment.provide(callback<&RoofBarSoundTest::hardware>(*this));
+                 }};
   Cable& cable = bench.cable;
 };
 
