@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <string>
-#include <tuple>
 
 namespace canvoy::frame_text_test {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
 
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"

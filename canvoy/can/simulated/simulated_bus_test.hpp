@@ -6,7 +6,6 @@
 #pragma once
 
 #include <ostream>
-#include <utility>
 #include <vector>
 
 #include "canvoy/can/simulated/simulated_bus.hpp"

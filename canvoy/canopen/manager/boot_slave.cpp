@@ -1,7 +1,5 @@
 #include "canvoy/canopen/manager/boot_slave.hpp"
 
-#include <utility>
-
 #include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 

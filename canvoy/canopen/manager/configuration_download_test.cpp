@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

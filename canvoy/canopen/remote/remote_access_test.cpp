@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "canvoy/can/random.hpp"
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo/sdo_block_server.hpp"

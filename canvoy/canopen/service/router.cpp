@@ -1,7 +1,6 @@
 #include "canvoy/canopen/service/router.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "canvoy/can/array_insert.hpp"
 #include "canvoy/can/check_invariant.hpp"

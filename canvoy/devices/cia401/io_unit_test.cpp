@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <map>
 
 #include "canvoy/devices/cia401/io_bench_test.hpp"
 #include "canvoy/profiles/cia852/inputs.hpp"

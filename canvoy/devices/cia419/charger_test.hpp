@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia418/battery_hardware.hpp"

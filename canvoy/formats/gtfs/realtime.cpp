@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <protozero/pbf_builder.hpp>
 
 namespace canvoy::gtfs {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
 
 // Another program reads the whole message in tests/strangers/gtfs. This test has bytes, assembled

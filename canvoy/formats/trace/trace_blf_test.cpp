@@ -5,7 +5,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/trace/trace.hpp"

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 #include "canvoy/formats/trace/trace.hpp"

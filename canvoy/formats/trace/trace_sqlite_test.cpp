@@ -5,7 +5,6 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 #include "canvoy/formats/trace/trace_writer.hpp"

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 

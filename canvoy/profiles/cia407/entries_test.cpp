@@ -1,8 +1,6 @@
 // Entries of CiA 407 that canvoy/profiles/clauses/407.txt does not hold.
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "canvoy/profiles/cia407.hpp"
 
 namespace canvoy::cia407_entries_test {

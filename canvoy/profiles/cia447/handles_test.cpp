@@ -6,7 +6,6 @@
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <optional>
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/text/text.hpp"

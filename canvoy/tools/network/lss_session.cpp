@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "canvoy/text/text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/network/lss_argument.hpp"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/text/text.hpp"

@@ -1,7 +1,5 @@
 #include "canvoy/tools/page/playback.hpp"
 
-#include <utility>
-
 namespace canvoy::tools {
 
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include "canvoy/can/real_text.hpp"
 #include "canvoy/formats/plain_text.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <optional>
 
 #include "canvoy/sim/duration_text.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/play/lift_world.hpp"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <set>
 #include <stdexcept>
 
 namespace canvoy::tools::ordered_work_test {

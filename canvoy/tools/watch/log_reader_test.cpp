@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <tuple>
 
 namespace canvoy::tools::log_reader_test {
 namespace {

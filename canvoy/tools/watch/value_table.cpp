@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <span>
 
 #include "canvoy/can/real_text.hpp"
 #include "canvoy/formats/plain_text.hpp"

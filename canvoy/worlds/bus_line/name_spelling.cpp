@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 
 #include "canvoy/sim/plants/sign_reader.hpp"
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <variant>
 
 namespace canvoy::charger::connection_watch_test {
 namespace {

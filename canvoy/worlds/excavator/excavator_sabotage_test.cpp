@@ -2,7 +2,6 @@
 // a module that reboots every three minutes, which excuses none of it.
 #include <gmock/gmock.h>
 
-#include <functional>
 #include <ostream>
 
 #include "canvoy/can/testing/tries_all.hpp"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <variant>
-
 namespace canvoy::lift::car_watch_test {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "canvoy/worlds/lift/fault_referee.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "canvoy/sim/duration_text.hpp"
 

@@ -1,7 +1,6 @@
 #include "canvoy/worlds/lift/referee.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 namespace canvoy::lift::service_watch_test {
 namespace {
 

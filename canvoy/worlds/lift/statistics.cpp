@@ -1,7 +1,6 @@
 #include "canvoy/worlds/lift/statistics.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "canvoy/sim/duration_text.hpp"
 

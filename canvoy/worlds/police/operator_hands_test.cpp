@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 namespace canvoy::police::operator_hands_test {
 namespace {
 

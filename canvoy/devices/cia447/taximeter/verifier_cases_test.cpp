@@ -2,7 +2,6 @@
 // they expect. Each case is a meter of its own.
 #include <gtest/gtest.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <type_traits>
 
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"

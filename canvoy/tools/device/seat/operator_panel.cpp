@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "canvoy/tools/argument/duration_argument.hpp"
