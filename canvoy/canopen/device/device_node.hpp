@@ -28,6 +28,7 @@
 #include "canvoy/canopen/dictionary/folded_tables.hpp"
 #include "canvoy/canopen/dictionary/initial_values.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/emergency/collision_watch.hpp"
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/emergency/emergency_producer.hpp"
 #include "canvoy/canopen/nmt/error_behaviour.hpp"
@@ -250,9 +251,12 @@ class DeviceServices {
       detail::has_object(tables, object_index::verify_configuration);
 
  private:
+  /// CAN-IDs that this node alone sends.
+  static constexpr std::size_t watched_ids =
+      is_small_machine ? 0 : CollisionWatch::ids_beside_tpdos + tpdo_count;
   /// On a small machine, NMT, SYNC, SDO servers and PDOs need no routes.
   static constexpr std::size_t routes_max =
-      has_time + has_guarding + heartbeats + emergencies + own_routes +
+      has_time + has_guarding + heartbeats + emergencies + own_routes + watched_ids +
       (is_small_machine ? 0 : 2 + sdo_servers + rpdo_count + tpdo_count);
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(tables);
@@ -303,6 +307,8 @@ class DeviceServices {
     [[no_unique_address]] detail::Room<ScannedObject, scanned_objects> scanned;
     /// Multiplexed PDOs that wait.
     [[no_unique_address]] detail::Room<MpdoProducer::Message, mpdo_queue_max> mpdo_queue;
+    /// CAN-IDs of the node that no other may use; none on a small machine.
+    [[no_unique_address]] detail::Room<CollisionWatch::Slot, watched_ids> own_ids;
   };
 
   /// Makes the services. `node_id` and `autostart` are as for Node. `port` is copied; its context
@@ -329,7 +335,8 @@ class DeviceServices {
         tpdos_(node_, memory.tpdos.span(), memory.mapped_by_tpdos.span(), sync_.get(),
                Tpdos::AtStart::send, tpdo_numbers.lowest, tpdo_records),
         mpdo_consumer_(node_, *rpdos_),
-        mpdo_producer_(node_, *tpdos_, memory.scanned.span(), memory.mpdo_queue.span()) {}
+        mpdo_producer_(node_, *tpdos_, memory.scanned.span(), memory.mpdo_queue.span()),
+        collision_watch_(node_, memory.own_ids.span(), tpdo_numbers.lowest) {}
   DeviceServices(const DeviceServices&) = delete;
   DeviceServices& operator=(const DeviceServices&) = delete;
 
@@ -430,6 +437,7 @@ class DeviceServices {
   [[no_unique_address]] detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
   [[no_unique_address]] detail::Optional<MpdoConsumer, has_mpdo_consumer> mpdo_consumer_;
   [[no_unique_address]] detail::Optional<MpdoProducer, has_mpdo_producer> mpdo_producer_;
+  [[no_unique_address]] detail::Optional<CollisionWatch, !is_small_machine> collision_watch_;
 };
 
 namespace detail {

@@ -110,11 +110,17 @@ class Bench {
 
 constexpr NmtState states[] = {NmtState::pre_operational, NmtState::operational, NmtState::stopped};
 
+/// A CAN-ID that the node alone sends: its emergencies, TPDO 1, SDO answers and heartbeats.
+bool is_own(const Frame& frame) {
+  return !is_small_machine && !frame.is_remote() &&
+         (frame.id == 0x085 || frame.id == 0x185 || frame.id == 0x585 || frame.id == 0x705);
+}
+
 bool wants(const Frame& frame) {
   const std::vector<std::uint32_t> remote = {0x185, 0x705};
   const std::vector<std::uint32_t> data = {0x000, 0x080, 0x082, 0x100, 0x205, 0x605, 0x70A};
   const auto& ids = frame.is_remote() ? remote : data;
-  return std::ranges::find(ids, frame.id) != ids.end();
+  return std::ranges::find(ids, frame.id) != ids.end() || is_own(frame);
 }
 
 /// First bytes of the answer to a frame full of zeros; nothing if there is none.
@@ -126,6 +132,7 @@ std::string answer_to(const Frame& frame, NmtState state) {
   }
   if (stopped) return "";
   if (frame.is_remote()) return operational ? "185#00" : "";
+  if (is_own(frame)) return "085#50 81 11 " + wire_text(frame).substr(1, 2);
   if (frame.id == 0x605 && frame.length == 8) return "585#80 00 00 00 01 00 04 05";
   if (frame.id == 0x080 && frame.length > 0) return "085#40 82 11";
   if (!operational) return "";

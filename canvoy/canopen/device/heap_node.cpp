@@ -26,13 +26,14 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
       emergency_slots_(detail::highest_sub_index(tables_, object_index::emergency_consumers,
                                                  object_index::emergency_consumers)),
       rpdo_memory_(rpdo_numbers().count),
-      tpdo_memory_(tpdo_numbers().count) {
+      tpdo_memory_(tpdo_numbers().count),
+      own_ids_(CollisionWatch::ids_beside_tpdos + tpdo_memory_.size()) {
   keep_initial_values();
   const std::size_t servers = 1 + detail::count_objects(tables_, object_index::sdo_server + 1,
                                                         object_index::sdo_server_last);
   constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
   routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
-                 rpdo_memory_.size() + tpdo_memory_.size() + further_routes);
+                 rpdo_memory_.size() + tpdo_memory_.size() + own_ids_.size() + further_routes);
   sdo_buffers_.resize(servers);
   node_ = std::make_unique<Node>(tables_, NodeMemory{values_, states_, routes_, backlog_}, port,
                                  node_id);
@@ -49,6 +50,7 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
   if (has(object_index::high_resolution_time)) high_resolution_time_.emplace(*node_, sync_.get());
   add_pdos();
   add_mpdos();
+  collision_watch_.emplace(*node_, own_ids_, tpdo_numbers().lowest);
 }
 
 void HeapNode::keep_initial_values() {

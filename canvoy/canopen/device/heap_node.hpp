@@ -63,6 +63,7 @@ class HeapNode {
   std::vector<MappedValue> tpdo_values_;
   std::vector<ScannedObject> scanned_objects_;
   std::vector<MpdoProducer::Message> mpdo_queue_;
+  std::vector<CollisionWatch::Slot> own_ids_;
 
   std::unique_ptr<Node> node_;
   std::deque<SdoServer> sdo_servers_;
@@ -81,6 +82,7 @@ class HeapNode {
   std::optional<Tpdos> tpdos_;
   std::optional<MpdoConsumer> mpdo_consumer_;
   std::optional<MpdoProducer> mpdo_producer_;
+  std::optional<CollisionWatch> collision_watch_;
 };
 
 }  // namespace canvoy

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "canvoy/canopen/device/heap_node.hpp"
-#include "canvoy/devices/cia852/collision_watch.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
 #include "canvoy/devices/kit/part_tables.hpp"
 #include "canvoy/devices/kit/program_place.hpp"
@@ -39,7 +38,7 @@ class OperatorOnHeap {
   OperatorOnHeap(const Port& port, NodeId node_id, const Environment& environment)
       : elements_(environment.get<OperatorEnvironment>(usual_elements)),
         tables_(operator_parts(elements_, environment.keeps_parameters)),
-        device_(tables_.tables(), port, node_id, catalogue_routes + own_ids),
+        device_(tables_.tables(), port, node_id, catalogue_routes),
         inputs_(count(read_input_8_bit_object)),
         indicators_(count(write_output_8_bit_object)),
         analogue_inputs_(count(read_analogue_input_16_bit_object)),
@@ -48,8 +47,7 @@ class OperatorOnHeap {
               {{inputs_, indicators_, analogue_inputs_, elements_.displays > 0,
                 elements_.display_floats ? &reals_ : nullptr},
                encoders_},
-              environment.get<OperatorHardware>(), environment.get<OperatorSettings>()),
-        collisions_(device_.node(), ids_) {
+              environment.get<OperatorHardware>(), environment.get<OperatorSettings>()) {
     take_programs(environment.get<ProgramPlace>());
     environment.made<OperatorUnit>(unit_, device_.node());
   }
@@ -68,8 +66,6 @@ class OperatorOnHeap {
     programs_.emplace(device_.node(), *place.flash, slots_, place.hooks);
   }
 
-  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + tpdo_count;
-
   OperatorEnvironment elements_;
   PartTables tables_;
   HeapNode device_;
@@ -79,8 +75,6 @@ class OperatorOnHeap {
   cia401::AnalogueReals reals_ = cia401::AnalogueReals::calls;
   std::vector<EncoderInputs::State> encoders_;
   OperatorUnit unit_;
-  std::array<std::uint16_t, own_ids> ids_{};
-  CollisionWatch collisions_;
   std::array<ProgramSlot, 1> slots_{};
   std::optional<ProgramServer> programs_;
 };
