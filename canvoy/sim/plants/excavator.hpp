@@ -115,6 +115,8 @@ class Excavator {
   void command(Movement movement, double value) { commands_[index(movement)] = value; }
   /// Engine speed, 0 to 1: from idle to full speed.
   void set_throttle(double share) { throttle_ = share; }
+  /// As set last.
+  double throttle() const { return throttle_; }
   /// Opens or closes the pilot valve: without pressure, no valve opens.
   void set_pilot_pressure(bool is_on) { has_pilot_pressure_ = is_on; }
   /// Selects the speed range of the tracks.

@@ -1,6 +1,7 @@
 // canvoy run charger: plays the network of a battery and its charger.
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -48,6 +49,8 @@ SettingTable<HandOfFile> charging_hand_table() {
   return table;
 }
 
+constexpr std::string_view not_played_here = "it is not played here: its hands are where it is";
+
 /// Reads each `[[hands]]`, after the tables of the devices.
 FilePart<ChargerRun> charging_hands() {
   return several<ChargerRun, HandOfFile>(
@@ -59,7 +62,7 @@ FilePart<ChargerRun> charging_hands() {
                        fmt::format("there is no '{}': there are charger, battery", hand.device));
         }
         if (!place_of(run.network, hand.device).is_played) {
-          table.refuse("device", "it is not played here: its hands are where it is");
+          table.refuse("device", not_played_here);
         }
         const std::vector<DeviceHand> hands = wired_hands(hand.device, Environment());
         const HandTable of_device = {hand.device, hands};
@@ -144,27 +147,52 @@ class PlayedYard : public Played<charger::ChargingYard> {
   std::vector<std::unique_ptr<BayHands>> hands_;
 };
 
-/// `[yard]` and each `[[vehicle]]`, which are not in the file of one charger.
+bool is_at_real_device(const HandOfFile& hand, const YardSettings& yard) {
+  const unsigned of_hand = std::max(hand.bay, 1U);
+  return std::ranges::any_of(yard.bays, [&](const BayOfFile& bay) {
+    const bool is_played = hand.device == "charger" ? bay.plays_charger : bay.plays_battery;
+    return bay.bay == of_hand && !is_played;
+  });
+}
+
+/// The real bus of `[bus]`; bays with a bus of their own have theirs.
+Setting<ChargerRun> real_bus() {
+  Setting<ChargerRun> real = real_setting<ChargerRun>(0);
+  real.value = [of_bus = std::move(real.value)](const ChargerRun& run) {
+    return run.yard.is_given && !run.yard.one_bus ? std::string() : of_bus(run);
+  };
+  return real;
+}
+
+/// `[yard]`, each `[[bay]]` and each `[[vehicle]]`, which are not in the file of one charger.
 FilePart<ChargerRun> charging_yard() {
   const SettingTable<YardSettings> yard = yard_table();
   const SettingTable<VehicleOfFile> vehicles = yard_vehicle_table();
-  return {[yard, vehicles](TomlTable& file, ChargerRun& run) {
-            run.yard.is_given = file.has(yard.name) || file.has(vehicles.name);
+  const SettingTable<BayOfFile> bays = yard_bay_table();
+  return {[yard, vehicles, bays](TomlTable& file, ChargerRun& run) {
+            run.yard.is_given =
+                file.has(yard.name) || file.has(vehicles.name) || file.has(bays.name);
             take_settings(file, yard, run.yard);
+            for (TomlTable& each : file.tables(bays.name)) {
+              take_settings(each, bays.settings, run.yard.bays.emplace_back());
+              each.finish();
+            }
             for (TomlTable& each : file.tables(vehicles.name)) {
               take_settings(each, vehicles.settings, run.yard.vehicles.emplace_back());
               each.finish();
             }
           },
-          [yard, vehicles](const ChargerRun& run) {
+          [yard, vehicles, bays](const ChargerRun& run) {
             if (!run.yard.is_given) return std::string();
             std::string text = settings_text(yard, run.yard);
+            for (const BayOfFile& each : run.yard.bays) text += settings_text(bays, each, true);
             for (const VehicleOfFile& each : run.yard.vehicles) {
               text += settings_text(vehicles, each, true);
             }
             return text;
           },
           keys_text("[" + yard.name + "]", yard.settings) +
+              keys_text("[[" + bays.name + "]]", bays.settings) +
               keys_text("[[" + vehicles.name + "]]", vehicles.settings)};
 }
 
@@ -247,7 +275,7 @@ WorldFile<ChargerRun> ChargerWorld::file(const std::string&) {
                                 "",
                                 {setting<network, &ChargerOptions::bit_rate>("bit_rate", "bit/s",
                                                                              {{10'000, 1'000'000}}),
-                                 real_setting<Run>(0)}},
+                                 real_bus()}},
               SettingTable<Run>{"charger",
                                 "",
                                 {setting<network, &ChargerOptions::charger_id>("id", "", {ids}),
@@ -294,13 +322,16 @@ void ChargerWorld::check(const TomlTable& file, const std::string&, Run& run) {
     file.refuse("faults", wrong.what());
   }
   if (run.yard.is_given) {
-    const std::string wrong = wrong_of_yard(run.yard, options);
+    const std::string wrong = wrong_of_yard(run.yard, options, !run.real.empty());
     if (!wrong.empty()) file.refuse("yard", wrong);
-    if (!run.real.empty()) file.refuse("real", "a yard is on no real bus");
+    std::ranges::copy(real_buses_of(run.yard), std::back_inserter(run.real));
   }
   const unsigned bays = run.yard.is_given ? run.yard.chargers : 1;
   if (std::ranges::any_of(run.hands, [bays](const HandOfFile& hand) { return hand.bay > bays; })) {
     file.refuse("hands", bays == 1 ? "there is one bay" : fmt::format("bays are 1 to {}", bays));
+  }
+  for (const HandOfFile& hand : run.hands) {
+    if (is_at_real_device(hand, run.yard)) file.refuse("hands", not_played_here);
   }
   if (options.plays_charger && options.plays_battery) return;
   if (run.real.empty()) file.refuse("who is not played is on a real bus: write real = \"can0\"");

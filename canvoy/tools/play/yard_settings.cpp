@@ -122,6 +122,44 @@ std::string wrong_vehicle(const YardSettings& yard) {
                      yard.vehicles.size());
 }
 
+std::string wrong_bay(const YardSettings& yard, bool has_real_bus) {
+  if (has_real_bus && !yard.one_bus) {
+    return "each bay has a bus of its own: write real in [[bay]], or one_bus = true";
+  }
+  std::vector<unsigned> named;
+  for (const BayOfFile& bay : yard.bays) {
+    if (bay.bay > yard.chargers) {
+      return fmt::format("[[bay]] names bay {}: there are bays 1 to {}", bay.bay, yard.chargers);
+    }
+    if (std::ranges::find(named, bay.bay) != named.end()) {
+      return fmt::format("[[bay]] names bay {} twice", bay.bay);
+    }
+    named.push_back(bay.bay);
+    if (yard.one_bus && !bay.real.empty()) {
+      return "all bays are on one bus: write real in [bus]";
+    }
+    const bool has_bus = yard.one_bus ? has_real_bus : !bay.real.empty();
+    if (!bay.is_played() && !has_bus) {
+      return fmt::format(
+          "who is not played in bay {} is on a real bus: write real = \"can0\" in {}", bay.bay,
+          yard.one_bus ? "[bus]" : "[[bay]]");
+    }
+  }
+  return "";
+}
+
+/// A fault is made in a bay of which nothing is real.
+std::string wrong_faults(const YardSettings& yard, const ChargerOptions& network) {
+  for (const BayOfFile& bay : yard.bays) {
+    const bool has_faults = std::ranges::any_of(
+        network.faults.faults, [&](const auto& fault) { return fault.part == bay.bay; });
+    if (bay.is_played() || !has_faults) continue;
+    return fmt::format("bay {} has a fault: only where charger and battery are both played",
+                       bay.bay);
+  }
+  return "";
+}
+
 }  // namespace
 
 void add_yard_options(Verb& verb, YardChoice& choice) {
@@ -194,7 +232,37 @@ SettingTable<VehicleOfFile> yard_vehicle_table() {
                                                  share)}};
 }
 
-std::string wrong_of_yard(const YardSettings& yard, const ChargerOptions& network) {
+SettingTable<BayOfFile> yard_bay_table() {
+  return {
+      "bay",
+      "",
+      {setting<&BayOfFile::bay>("bay", "", {{1, charger::yard_chargers_max}}),
+       setting<&BayOfFile::plays_charger>("charger_played", "false: a real one is on the bus"),
+       setting<&BayOfFile::plays_battery>("battery_played",
+                                          "false: the vehicles of the bay have a real one"),
+       {.key = "real",
+        .takes = "a bus, as `\"can0\"`",
+        .help = "of a bay with a bus of its own; all runs at the speed of the clock",
+        .take =
+            [](TomlTable& table, BayOfFile& bay) {
+              std::vector<RealBus> real;
+              take_real_bus(table, 0, real);
+              if (!real.empty()) bay.real = real.front().address;
+            },
+        .value = [](const BayOfFile& bay) { return bay.real.empty() ? "" : text_value(bay.real); },
+        .example = "\"can0\""}}};
+}
+
+std::vector<RealBus> real_buses_of(const YardSettings& yard) {
+  std::vector<RealBus> real;
+  for (const BayOfFile& bay : yard.bays) {
+    if (!bay.real.empty()) real.push_back({BusIndex{bay.bay - 1}, bay.real});
+  }
+  return real;
+}
+
+std::string wrong_of_yard(const YardSettings& yard, const ChargerOptions& network,
+                          bool has_real_bus) {
   for (const std::string& kind : yard.kinds) {
     if (!parse_kind(kind)) {
       return fmt::format("there is no battery '{}': there are {}", kind,
@@ -209,10 +277,13 @@ std::string wrong_of_yard(const YardSettings& yard, const ChargerOptions& networ
     return fmt::format("'{}' is no goal: write 80@06:00, for 80 % at six o'clock", yard.goal);
   }
   if (!network.plays_charger || !network.plays_battery) {
-    return "a yard is played as a whole: no charger and no battery of it is a real one";
+    return "which bay has a real one? Write [[bay]] with charger_played or battery_played = false";
   }
-  const std::string of_ids = wrong_node_ids(yard, network);
-  return of_ids.empty() ? wrong_vehicle(yard) : of_ids;
+  for (const std::string& wrong : {wrong_node_ids(yard, network), wrong_vehicle(yard),
+                                   wrong_bay(yard, has_real_bus), wrong_faults(yard, network)}) {
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
 }
 
 YardOptions yard_of(const YardSettings& yard, const ChargerOptions& network) {
@@ -236,6 +307,10 @@ YardOptions yard_of(const YardSettings& yard, const ChargerOptions& network) {
                              .leaves = or_never(vehicle.leaves),
                              .returns = or_never(vehicle.returns),
                              .used = vehicle.used_percent / whole_percent});
+  }
+  for (const BayOfFile& bay : yard.bays) {
+    if (!bay.plays_charger) made.real_chargers.push_back(bay.bay);
+    if (!bay.plays_battery) made.real_batteries.push_back(bay.bay);
   }
   made.batteries = yard.batteries == 0 ? yard.chargers : yard.batteries;
   if (made.vehicles.empty()) made.vehicles = charger::drawn_vehicles(made);

@@ -12,6 +12,7 @@
 
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/play/settings.hpp"
+#include "canvoy/tools/player/run_options.hpp"
 #include "canvoy/worlds/charger/yard_options.hpp"
 
 namespace canvoy::tools {
@@ -26,6 +27,16 @@ struct VehicleOfFile {
   double used_percent = 40;
 };
 
+/// A bay of which a part is real, as in a file.
+struct BayOfFile {
+  unsigned bay = 1;
+  bool plays_charger = true;
+  bool plays_battery = true;
+  std::string real{};  ///< the real bus of the bay, `can0`; empty: none
+
+  bool is_played() const { return plays_charger && plays_battery; }
+};
+
 struct YardSettings {
   bool is_given = false;  ///< false: one charger and one battery
   unsigned chargers = 1;
@@ -36,6 +47,7 @@ struct YardSettings {
   Duration change_time = 2min;
   double supply_kilowatt = 0;
   std::vector<VehicleOfFile> vehicles{};
+  std::vector<BayOfFile> bays{};
 };
 
 /// Options of the command line. What differs from these values makes a yard.
@@ -52,9 +64,14 @@ YardSettings chosen_yard(const YardChoice& choice);
 
 SettingTable<YardSettings> yard_table();
 SettingTable<VehicleOfFile> yard_vehicle_table();
+SettingTable<BayOfFile> yard_bay_table();
 
 /// One line that says what is wrong, for a network with these options; empty: nothing.
-std::string wrong_of_yard(const YardSettings& yard, const charger::ChargerOptions& network);
+/// `has_real_bus` is that of `[bus]`.
+std::string wrong_of_yard(const YardSettings& yard, const charger::ChargerOptions& network,
+                          bool has_real_bus = false);
+/// The real buses of bays that have a bus of their own.
+std::vector<RealBus> real_buses_of(const YardSettings& yard);
 /// The yard, of settings that are right. The vehicles are drawn where there are none.
 charger::YardOptions yard_of(const YardSettings& yard, const charger::ChargerOptions& network);
 

@@ -107,12 +107,13 @@ void ChargerDevices::plug(bool is_in) {
 }
 
 void ChargerDevices::switch_battery() {
+  if (!options_->plays_battery) return;
   has_battery_power_&& is_in_bay_ ? world_->start(battery_slot_) : world_->stop(battery_slot_);
 }
 
 void ChargerDevices::start() {
   start_manager();
-  if (options_->plays_battery) switch_battery();
+  switch_battery();
   if (options_->plays_charger) world_->start(charger_slot_);
 }
 

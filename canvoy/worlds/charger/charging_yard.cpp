@@ -96,12 +96,17 @@ double YardReferee::allowed_percent(std::size_t vehicle) const {
 YardInvariant YardReferee::goal_of(std::size_t vehicle) const {
   YardInvariant goal{.kind = YardInvariantKind::battery_goal,
                      .part = static_cast<std::uint8_t>(vehicle + 1)};
-  if (!results_[vehicle].charge) return goal;
+  if (!results_[vehicle].charge || !is_seen(vehicle)) return goal;
   goal.worst = missing_percent(vehicle);
   goal.allowed = allowed_percent(vehicle);
   goal.held = goal.worst <= goal.allowed;
   goal.judged = 1;
   return goal;
+}
+
+/// The current of a real charger and the cells of a real battery are not seen here.
+bool YardReferee::is_seen(std::size_t vehicle) const {
+  return yard_->plays(vehicles_->bay(vehicle));
 }
 
 /// That of the battery that is furthest beyond what is allowed of it.
@@ -129,20 +134,23 @@ YardInvariant YardReferee::equalising_of(std::size_t vehicle) const {
                           .part = static_cast<std::uint8_t>(vehicle + 1),
                           .allowed = equalising_missing_max_percent};
   // The last minutes of the phase before count as full already.
-  if (result.full < equalising_time) return invariant;
+  if (result.full < equalising_time || !is_seen(vehicle)) return invariant;
   invariant.worst = std::max(0.0, 1 - hours(result.equalised) / hours(equalising_time)) * of_whole;
   invariant.held = invariant.worst <= invariant.allowed;
   invariant.judged = 1;
   return invariant;
 }
 
+/// What a real charger takes from the mains comes on top of what is measured here.
 YardInvariant YardReferee::supply() const {
   constexpr double kilo = 1000;
+  const bool is_held = mains_watt_max_ <= yard_->supply_watt;
+  const bool is_decided = mains_watt_max_ > 0 && (yard_->real_chargers.empty() || !is_held);
   return {.kind = YardInvariantKind::supply,
           .worst = mains_watt_max_ / kilo,
           .allowed = yard_->supply_watt / kilo,
-          .held = mains_watt_max_ <= yard_->supply_watt,
-          .judged = mains_watt_max_ > 0 ? steps_ : 0};
+          .held = is_held,
+          .judged = is_decided ? steps_ : 0};
 }
 
 std::vector<YardInvariant> YardReferee::invariants() const {

@@ -88,6 +88,7 @@ class YardReferee {
   void measure_mains();
   double missing_percent(std::size_t vehicle) const;
   double allowed_percent(std::size_t vehicle) const;
+  bool is_seen(std::size_t vehicle) const;
   YardInvariant goal_of(std::size_t vehicle) const;
   YardInvariant goal_of_bay(unsigned bay) const;
   YardInvariant equalising_of(std::size_t vehicle) const;

@@ -79,6 +79,34 @@ TEST_P(YardOnBuses, ABayWithoutABatteryDeliversNothing) {
 
 INSTANTIATE_TEST_SUITE_P(All, YardOnBuses, testing::Bool());
 
+/// The charger of bay 1 and the battery of bay 2 are elsewhere: nothing of them is on the simulated
+/// bus, nothing is judged that is not seen, and bay 3 is charged and judged as ever.
+TEST_P(YardOnBuses, APartOfABayMayBeReal) {
+  YardOptions options = yard_of(3, {{.bay = 1}, {.bay = 2}, {.bay = 3}});
+  options.one_bus = GetParam();
+  options.goal = Goal{.state_of_charge = 0.2, .at = Time(9min)};
+  options.supply_watt = 50'000;
+  options.real_chargers = {1};
+  options.real_batteries = {2};
+  ChargingYard sut(options);
+  sut.run_until(Time(10min));
+  EXPECT_FALSE(sut.world().is_running(sut.bay(0).devices().charger_slot()));
+  EXPECT_TRUE(sut.world().is_running(sut.bay(0).devices().battery_slot()));
+  EXPECT_TRUE(sut.world().is_running(sut.bay(1).devices().charger_slot()));
+  EXPECT_FALSE(sut.world().is_running(sut.bay(1).devices().battery_slot()));
+  EXPECT_NEAR(sut.bay(2).devices().plant().ampere(), 60, 0.1);
+  EXPECT_EQ(sut.bay(0).devices().plant().ampere_hours(), 0);
+  expect_all_held(sut);
+  const auto goals = sut.goals();
+  for (const unsigned part : {1U, 2U, 3U}) {
+    const bool is_played = part == 3;
+    EXPECT_EQ(goal_of(goals, YardInvariantKind::battery_goal, part)->is_decided(), is_played);
+    EXPECT_EQ(goal_of(goals, YardInvariantKind::charger_goal, part)->is_decided(), is_played);
+  }
+  EXPECT_FALSE(goal_of(goals, YardInvariantKind::supply, 0)->is_decided())
+      << "what the real charger takes is not known";
+}
+
 /// From 70 % to 80 %: 40 Ah, of which 92 % remain, at 60 A: 43.5 minutes.
 TEST(ChargingYard, ABatteryThatHasTheGoalMakesRoomForTheNext) {
   YardOptions options = yard_of(1, {{.state_of_charge = 0.7}, {.arrives = Time(10min)}});

@@ -15,6 +15,10 @@ constexpr cia419::ChargeCurveSettings lead_acid_curve = {.current_ampere = 60,
                                                          .equalising_ampere = 8,
                                                          .equalising_time = 1h};
 
+bool has(const std::vector<unsigned>& bays, unsigned bay) {
+  return std::ranges::find(bays, bay) != bays.end();
+}
+
 BatteryDesign design_of(BatteryKind kind) {
   if (kind == BatteryKind::lithium) return BatteryPlant::lithium_48v();
   BatteryDesign design = BatteryPlant::lead_acid_48v();
@@ -23,6 +27,10 @@ BatteryDesign design_of(BatteryKind kind) {
 }
 
 }  // namespace
+
+bool YardOptions::plays(unsigned bay) const {
+  return !has(real_chargers, bay) && !has(real_batteries, bay);
+}
 
 BatteryKind kind_of_bay(const YardOptions& yard, unsigned bay) {
   return yard.kinds.empty() ? BatteryKind::lead_acid : yard.kinds[(bay - 1) % yard.kinds.size()];
@@ -43,6 +51,8 @@ ChargerOptions bay_options(const YardOptions& yard, unsigned bay) {
   for (const std::size_t fault : faults_of_bay(yard, bay)) {
     options.faults.faults.push_back(yard.bay.faults.faults[fault]);
   }
+  options.plays_charger = !has(yard.real_chargers, bay);
+  options.plays_battery = !has(yard.real_batteries, bay);
   const BatteryKind kind = kind_of_bay(yard, bay);
   options.battery = design_of(kind);
   if (kind == BatteryKind::plain) options.charger.curve = lead_acid_curve;

@@ -57,6 +57,11 @@ struct YardOptions {
   std::optional<Goal> goal{};
   Duration change_time = 2min;  ///< without a battery at the cable, from one vehicle to the next
   double supply_watt = 0;       ///< that the mains connection bears; 0: not judged
+  std::vector<unsigned> real_chargers{};   ///< bays with a real one, which is on a real bus
+  std::vector<unsigned> real_batteries{};  ///< bays of which the vehicles have a real one
+
+  /// True if charger and batteries of a bay, from 1 on, are simulated.
+  bool plays(unsigned bay) const;
 };
 
 /// Kind of the batteries of a bay, from 1 on; lead_acid where YardOptions::kinds is empty.

@@ -17,6 +17,7 @@ enum class InvariantKind : std::uint8_t {
   axis_delta,
   indicators,
   display,
+  throttle,
   service,
   spilled,
   device_missing
@@ -32,6 +33,7 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"axis_delta", "an axis was away from the host's value by at most", "digits", "canvoy"},
     {"indicators", "a lamp said what is not so for at most", "s", "canvoy"},
     {"display", "the display said what is not so for at most", "s", "canvoy"},
+    {"throttle", "the engine had another throttle than its wheel for at most", "s", "canvoy"},
     {"service", "no earth came to the heap at work for at most", "s", "canvoy"},
     {"spilled", "of the earth that was dug, beside the heap", "%", "canvoy"},
     {"device_missing", "a device was missing without an excuse for at most", "s", "canvoy"},

@@ -47,7 +47,7 @@ InvariantSet affected_by(FaultKind kind) {
       return set_of({Kind::presses, Kind::service, Kind::spilled});
     default:
       return set_of({Kind::presses, Kind::axis_delta, Kind::indicators, Kind::display,
-                     Kind::service, Kind::spilled, Kind::device_missing});
+                     Kind::throttle, Kind::service, Kind::spilled, Kind::device_missing});
   }
 }
 

@@ -25,9 +25,11 @@ double in_seconds(Duration duration) {
 }
 
 /// A right state of at most this length ends no error: a lamp that is put out five times a second
-/// gives no information.
+/// gives no information, and an engine that is throttled as often does no work.
 Duration lull_of(Kind kind) {
-  return kind == Kind::indicators || kind == Kind::display ? Duration(500ms) : Duration(0);
+  const bool has_lulls =
+      kind == Kind::indicators || kind == Kind::display || kind == Kind::throttle;
+  return has_lulls ? Duration(500ms) : Duration(0);
 }
 
 double allowed_of(Kind kind) {
@@ -46,6 +48,7 @@ double allowed_of(Kind kind) {
       // does not count.
       return 2 * axis_delta;
     case Kind::indicators:
+    case Kind::throttle:
       return 1;
     case Kind::display:
       return 2;

@@ -22,7 +22,7 @@ InvariantSet unknown_without(NodeId id) {
   using Kind = InvariantKind;
   const InvariantSet of_seat =
       of_kinds({Kind::unwanted_motion, Kind::presses, Kind::axis_delta, Kind::indicators,
-                Kind::display, Kind::service, Kind::spilled});
+                Kind::display, Kind::throttle, Kind::service, Kind::spilled});
   if (id == seat_id) return of_seat;
   if (id == valves_id) {
     return of_kinds({Kind::display, Kind::indicators, Kind::service, Kind::spilled});
@@ -95,6 +95,7 @@ void ExcavatorReferees::look(Time now) {
   referee_.moves(now, *machine_, hands);
   referee_.look_at_presses(now);
   look_at_lamps(now);
+  look_at_throttle(now);
   look_at_earth(now);
   const bool has_service = is_served(now);
   driver_->is_working() ? referee_.judge(InvariantKind::service, now, has_service)
@@ -160,6 +161,14 @@ void ExcavatorReferees::look_at_lamps(Time now) {
                  cab_.lamps_are_right(has_valves, is_armrest_at_work(now)) &&
                      (!options_->has_trainer || panel_->commanding_seat()));
   referee_.judge(InvariantKind::display, now, cab_.display_is_right(now, has_valves));
+}
+
+/// The wheel tells each change by more than its delta.
+void ExcavatorReferees::look_at_throttle(Time now) {
+  constexpr double apart_most = 2 * double{axis_delta} / full_scale;
+  const double wanted = std::max(panel_->wheel(0), 0.0);
+  referee_.judge(InvariantKind::throttle, now,
+                 std::abs(machine_->throttle() - wanted) <= apart_most);
 }
 
 bool ExcavatorReferees::is_armrest_at_work(Time now) {

@@ -63,6 +63,7 @@ class ExcavatorReferees {
   void excuse_at_first(Time now, FaultKind kind);
   double wanted(Movement movement) const;
   void look_at_lamps(Time now);
+  void look_at_throttle(Time now);
   void look_at_earth(Time now);
   bool is_served(Time now);
   bool is_locked_in_sight(Time now);

@@ -38,7 +38,8 @@ enum class InvariantKind : std::uint8_t {
   inspection_speed,
   inspection_buttons,
   inspection_calls,
-  fire_ride
+  fire_ride,
+  shown_floor
 };
 
 /// All kinds, in the order of InvariantKind, with the sources of their bounds. Values of a file are
@@ -78,9 +79,11 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"inspection_buttons", "moved in inspection as no button asked for", "s", "canvoy"},
     {"inspection_calls", "calls taken in inspection", "", "EN 81-20, 5.12.1.5.2.1"},
     {"fire_ride", "the fire brigade in the car waited to be at its floor", "s", "canvoy"},
+    {"shown_floor", "a display named another floor than that of its standing car for", "s",
+     "canvoy"},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);  ///< number of invariants
-static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::fire_ride) + 1);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::shown_floor) + 1);
 /// Names and limits, for the table of a run.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;

@@ -390,6 +390,36 @@ const Sabotage of_strangers[] = {
                  turned_key(cia417::SpecialFunction::fire_service_enable));
        });
      }},
+    {"ADisplayThatNamesAnotherFloor", InvariantKind::shown_floor, 1, [](Description&) {},
+     [] {
+       return always_from(Time(1min), [](Scene& it) {
+         it.send(virtual_output, cia417::encode(cia417::VirtualOutput{
+                                     .function = cia417::BasicFunction::position_indicator,
+                                     .sub_function = 6,
+                                     .lifts = cia417::lift_bit(1),
+                                     .floor = cia417::all_floors,
+                                     .doors = 0xF0,
+                                     .data = cia417::output_data(true)}));
+       });
+     }},
+    {"ADriveWhoseHeartbeatIsSwitchedOff", InvariantKind::lift_serves, 1, [](Description&) {},
+     [] {
+       return once_when(stands_empty, [](Scene& it) {
+         it.send(Frame::data_frame(0x600 + node_id::drive, {0x2B, 0x17, 0x10, 0, 0, 0, 0, 0}));
+       });
+     }},
+    {"AnErrorThatTheDriveHasNotReported", InvariantKind::acceleration, 1, [](Description&) {},
+     [] {
+       return once_when(is_fast_with_people, [](Scene& it) {
+         it.send(Frame::data_frame(0x080 + node_id::drive, {0x00, 0x54, 0x01, 0, 0, 0, 0, 0}));
+       });
+     }},
+    {"ADoorThatIsStoppedAgainAndAgain", InvariantKind::lift_serves, 1, [](Description&) {},
+     [] {
+       return always_from(Time(1min), [](Scene& it) {
+         it.send(Frame::data_frame(door_control, {0xFF, 0x80, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}));
+       });
+     }},
     {"APositionThatSomebodyElseTells", InvariantKind::lift_serves, 1,
      [](Description& it) { it.service.technician = false; },
      [] { return always_from(Time(1min), [](Scene& it) { it.send(car_position, 300'000, 4); }); }},

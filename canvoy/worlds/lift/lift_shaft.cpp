@@ -324,6 +324,9 @@ LiftFacts LiftShaft::facts(Time now) const {
                   .inspection_way = parts.stations.held(),
                   .opens_by_hand = parts.is_turned(SpecialFunction::door_open),
                   .fire_floor = parts.plan.service().fire_floor};
+  const FloorNumber floor =
+      parts.plan.building().floor_near(car.position_m, parts.plan.design().door_zone_m);
+  if (floor != no_floor) facts.misnamed_since = parts.panels.misnamed_since(floor);
   if (parts.said_m) {
     const double away_m = std::abs(*parts.said_m - car.position_m);
     facts.position_lie_m = std::max(0.0, away_m - position_age_s * std::abs(car.velocity_m_s));

@@ -65,6 +65,7 @@ void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
   judge_departure(lift, design, facts);
   judge_fire(now, lift, facts);
   judge_inspection(now, lift, facts, passed);
+  judge_displays(now, lift, facts);
   if (facts.position_lie_m) {
     Judged& told = lift.judged[InvariantKind::real_position];
     told.bound = limits_.position_lie_m * 1000;
@@ -236,6 +237,24 @@ void Referee::judge_inspection(Time now, Lift& lift, const LiftFacts& facts,
   Judged& speed = lift.judged[InvariantKind::inspection_speed];
   speed.bound = limits_.inspection_m_s + limits_.moving_m_s;
   speed.judge(std::abs(facts.speed_m_s));
+}
+
+/// While the car stands at a floor. What a display did not hear during a fault it hears when the
+/// car goes on.
+void Referee::judge_displays(Time now, Lift& lift, const LiftFacts& facts) const {
+  const bool stands = std::abs(facts.speed_m_s) <= limits_.moving_m_s;
+  if (!stands) lift.is_display_old = facts.hindered;
+  if (facts.hindered) lift.is_display_old = true;
+  if (!stands || !facts.misnamed_since) {
+    lift.stands_since = never;
+    return;
+  }
+  if (lift.stands_since == never) lift.stands_since = now;
+  if (lift.is_display_old) return;
+  const Time since = std::max(*facts.misnamed_since, lift.stands_since);
+  Judged& shown = lift.judged[InvariantKind::shown_floor];
+  shown.bound = in_seconds(limits_.display_most);
+  shown.judge(*facts.misnamed_since == never ? 0 : in_seconds(now - since));
 }
 
 /// Its lamp is lit: a lift has accepted it.

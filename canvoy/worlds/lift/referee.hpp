@@ -55,6 +55,9 @@ struct LiftFacts {
   bool opens_by_hand = false;                  ///< the button in the car is held
   FireMode fire = FireMode::none;              ///< by the keys
   FloorNumber fire_floor = 1;                  ///< floor of a recall
+  /// Time since when a display of position has named another floor than the one in whose door zone
+  /// the car is; never: all name it; empty: all are dark, or it is in none.
+  std::optional<Time> misnamed_since{};
   /// Distance between the true position and that of a real position unit; empty: none was received.
   std::optional<double> position_lie_m{};
   /// A fault is present, or has just ended: its possible delays are not judged.
@@ -121,6 +124,7 @@ struct RefereeLimits {
   /// Time from the button of the fire brigade until its car is at their floor, beside the flight:
   /// doors close slowly in smoke.
   Duration brigade_waits_most = 80s;
+  Duration display_most = 3s;  ///< for displays to name the floor where the car stands
   /// Time from a key to its panel, the controller and its latest command: then the rules of a fire
   /// service hold.
   Duration heeds_key_within = 200ms;
@@ -198,6 +202,8 @@ class Referee {
     Duration rests{0};                 ///< under inspection control
     Duration unasked{0};               ///< motion without the button for it
     unsigned calls_in_inspection = 0;  ///< taken
+    Time stands_since = never;         ///< at a floor; never: it does not
+    bool is_display_old = false;       ///< a fault was present when the car came to where it stands
     std::map<InvariantKind, Judged> judged{};
   };
   struct Call {
@@ -218,6 +224,7 @@ class Referee {
   void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
   void judge_brake(Lift& lift, const LiftFacts& facts, bool leaves) const;
   void judge_inspection(Time now, Lift& lift, const LiftFacts& facts, Duration passed) const;
+  void judge_displays(Time now, Lift& lift, const LiftFacts& facts) const;
   void judge_call_in_inspection(Time now, const CallKey& call);
   void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
   void judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens);

@@ -256,6 +256,46 @@ TEST_F(RefereeTest, AnEmergencyStopMayBeHardButNotHarderThanASafetyGear) {
   EXPECT_FALSE(get(InvariantKind::acceleration).held);
 }
 
+/// A car that stands at the second floor, with a display that has named another one since `since`.
+LiftFacts misnamed(Time since, double speed_m_s = 0) {
+  LiftFacts facts = at_m(3.5, speed_m_s);
+  facts.misnamed_since = since;
+  return facts;
+}
+
+TEST_F(RefereeTest, ADisplayNamesTheFloorOfItsStandingCarWithinThreeSeconds) {
+  sut.observe(Time(1s), 1, misnamed(Time(0s), 0.1));
+  EXPECT_FALSE(lists(InvariantKind::shown_floor)) << "it moves";
+  sut.observe(Time(10s), 1, misnamed(Time(0s)));
+  sut.observe(Time(13s), 1, misnamed(Time(0s)));
+  EXPECT_TRUE(get(InvariantKind::shown_floor).held) << "it has stood for 3 s";
+  EXPECT_EQ(get(InvariantKind::shown_floor).worst, 3);
+  sut.observe(Time(14s), 1, misnamed(never));
+  sut.observe(Time(20s), 1, misnamed(Time(17s)));
+  EXPECT_TRUE(get(InvariantKind::shown_floor).held);
+  sut.observe(Time(20'001ms), 1, misnamed(Time(17s)));
+  EXPECT_FALSE(get(InvariantKind::shown_floor).held);
+}
+
+TEST_F(RefereeTest, ADisplayThatWasNotToldInAFaultIsToldWhenTheCarGoesOn) {
+  LiftFacts facts = misnamed(Time(0s));
+  facts.hindered = true;
+  sut.observe(Time(1s), 1, facts);
+  sut.observe(Time(2s), 1, misnamed(Time(0s)));
+  sut.observe(Time(1min), 1, misnamed(Time(0s)));
+  EXPECT_FALSE(lists(InvariantKind::shown_floor));
+  sut.observe(Time(61s), 1, misnamed(Time(0s), 0.5));
+  sut.observe(Time(70s), 1, misnamed(Time(0s)));
+  sut.observe(Time(74s), 1, misnamed(Time(0s)));
+  EXPECT_FALSE(get(InvariantKind::shown_floor).held);
+}
+
+TEST_F(RefereeTest, ADarkDisplayNamesNoFloor) {
+  sut.observe(Time(1s), 1, at_m(3.5));
+  sut.observe(Time(1min), 1, at_m(3.5));
+  EXPECT_FALSE(lists(InvariantKind::shown_floor));
+}
+
 constexpr CallKey up_at_3{.floor = 3, .direction = Direction::up};
 
 TEST_F(RefereeTest, EachButtonIsAcknowledgedByItsLamp) {

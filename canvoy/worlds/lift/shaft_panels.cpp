@@ -114,8 +114,28 @@ void ShaftPanels::go_dark(NodeId id) {
 /// A lamp or display has changed.
 void ShaftPanels::shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
                         const cia417::OutputView& view) {
+  const bool is_position = output.function == BasicFunction::position_indicator;
+  if (is_position && output.sub_function == 0) return shown_position(panel.id, view);
   if (panel.kind == DeviceKind::landing_panel) return shown_at_landing(output, view);
   shown_in_car(output, view);
+}
+
+/// One display for all floors; a lamp for each of them is another output.
+void ShaftPanels::shown_position(NodeId id, const cia417::OutputView& view) {
+  const auto panel = std::ranges::find(panels_, id, &Panel::id);
+  if (panel == panels_.end()) return;
+  panel->shown_floor = view.on ? view.sub_function : no_floor;
+  panel->shown_since = world_->now();
+}
+
+std::optional<Time> ShaftPanels::misnamed_since(FloorNumber floor) const {
+  std::optional<Time> since;
+  for (const Panel& panel : panels_) {
+    if (panel.shown_floor == no_floor) continue;
+    const Time misnamed = panel.shown_floor == floor ? never : panel.shown_since;
+    since = std::min(since.value_or(never), misnamed);
+  }
+  return since;
 }
 
 void ShaftPanels::shown_in_car(const cia417::VirtualOutput& output,

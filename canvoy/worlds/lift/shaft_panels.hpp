@@ -10,6 +10,7 @@
 #include <bitset>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "canvoy/can/callback.hpp"
@@ -64,6 +65,9 @@ class ShaftPanels {
 
   /// Direction that the lantern of a floor shows; none: dark. `floor` from 1.
   Direction lantern(FloorNumber floor) const { return lanterns_[floor - std::size_t{1}]; }
+  /// Time since when a display of position has named another floor; never: none does; empty: all
+  /// are dark.
+  std::optional<Time> misnamed_since(FloorNumber floor) const;
   /// True if a panel in the car shows an overload.
   bool shows_overload() const { return overload_is_shown_; }
 
@@ -71,11 +75,14 @@ class ShaftPanels {
   struct Panel {
     NodeId id = 0;
     std::unique_ptr<LiftPanel> panel{};
+    FloorNumber shown_floor = no_floor;  ///< by its display of position; no_floor: dark
+    Time shown_since{};                  ///< of shown_floor
   };
 
   const Panel* find(const CallKey& button) const;
   void shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
              const cia417::OutputView& view);
+  void shown_position(NodeId id, const cia417::OutputView& view);
   void shown_in_car(const cia417::VirtualOutput& output, const cia417::OutputView& view);
   void shown_at_landing(const cia417::VirtualOutput& output, const cia417::OutputView& view);
 

@@ -159,6 +159,18 @@ constexpr cia447::TariffLevel slow[] = {{.name = {'1', 0},
                                          .distance_rate = 1000,
                                          .time_rate = 33'000,
                                          .increment = 100}};
+/// Of the town, but for what a trip costs at least, and but for its step.
+constexpr cia447::TariffLevel least[] = {{.name = {'1', 0},
+                                          .initial_fare = 3900,
+                                          .minimum_fare = 60'000,
+                                          .distance_rate = 2300,
+                                          .time_rate = 33'000,
+                                          .increment = 100}};
+constexpr cia447::TariffLevel coarse[] = {{.name = {'1', 0},
+                                           .initial_fare = 3900,
+                                           .distance_rate = 2300,
+                                           .time_rate = 33'000,
+                                           .increment = 2000}};
 constexpr cia447::SupplementKind dear_supplements[] = {{.name = "Luggage", .price = 2000}};
 constexpr cia447::SupplementKind renamed_supplements[] = {{.name = "Airport", .price = 1000}};
 
@@ -197,6 +209,10 @@ const Sabotage sabotages[] = {
        options.meter.tariff.supplements = renamed_supplements;
        options.shift.service_shares = {1};
      }},
+    {"AMinimumFareThatTheTownHasNot", InvariantKind::fare,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = least}; }},
+    {"AStepOfTwentyTimesTheTowns", InvariantKind::fare,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = coarse}; }},
     {"AnAgreedPriceThatTheMeterForgets", InvariantKind::fare,
      [](TaxiOptions& options) { options.shift.agreed = {.share = 1, .per_km = 2000, .least = 0}; },
      [](TaxiNetwork&) {},
