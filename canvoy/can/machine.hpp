@@ -1,6 +1,6 @@
 // Target of the build: a small processor, which is short of code and data memory, or a host, which
-// is optimised for speed. Both behave alike on the bus. Objects of the library have different
-// layouts: a program for one does not link with the library for the other (Node::start).
+// is optimised for speed. But for CollisionWatch both behave alike on the bus. Their objects have
+// different layouts: a program for one does not link with the library for the other (Node::start).
 //
 //     if constexpr (!is_small_machine) remember(found);
 #pragma once

@@ -17,7 +17,7 @@ set_target_properties(canvoy_small_machine_test PROPERTIES CXX_EXTENSIONS OFF)
 target_link_libraries(canvoy_small_machine_test PRIVATE GTest::gmock_main rapidcheck)
 target_precompile_headers(canvoy_small_machine_test REUSE_FROM canvoy_test_headers)
 
-# Features that a small machine lacks: watchers of rows, routes and memory of PDOs, eight bytes of buffer in an SDO server
+# Features that a small machine lacks: watchers of rows, reports of other nodes with its CAN-IDs, routes and memory of PDOs, eight bytes of buffer in an SDO server
 # without one, times beyond its 55 bits, events of values that carry the bytes sent last; different refusals (a mapping
 # record that the application overwrites); and a backlog that drops the frames of a PDO that has ended: they leave as soon
 # as there is room.
