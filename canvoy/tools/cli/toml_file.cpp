@@ -104,12 +104,12 @@ void TomlTable::take_integer(std::string_view key, std::uint64_t& to, Range<std:
   to = static_cast<std::uint64_t>(value);
 }
 
-void TomlTable::take(std::string_view key, Duration& to) {
+void TomlTable::take(std::string_view key, Duration& to, Duration least) {
   std::string text;
   if (!has(key)) return static_cast<void>(find(key));
   take(key, text);
   const std::optional<Duration> duration = parse_duration(text);
-  if (!duration || *duration <= Duration::zero()) {
+  if (!duration || *duration < least) {
     refuse(key, fmt::format(R"('{}' is no time: write a number and {}, as "30s" or "8h")", text,
                             duration_units));
   }

@@ -42,8 +42,8 @@ class TomlTable {
   void take(std::string_view key, std::string& to);
   void take(std::string_view key, bool& to);
   void take(std::string_view key, double& to, Range<double> range = {});
-  /// Reads a duration such as `30s`, above zero.
-  void take(std::string_view key, Duration& to);
+  /// Reads a duration such as `30s`, from `least` on.
+  void take(std::string_view key, Duration& to, Duration least = Duration{1});
   /// Reads a local date and time of TOML, from 1984 on.
   void take(std::string_view key, CivilTime& to);
   void take(std::string_view key, std::vector<std::string>& to);

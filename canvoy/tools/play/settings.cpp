@@ -16,8 +16,11 @@ namespace detail {
 
 void take_time(TomlTable& table, std::string_view key, Duration& to,
                SettingLimits<Duration> limits) {
-  table.take(key, to);
+  table.take(key, to, Duration::zero());
   if (!table.has(key) || (to >= limits.least && to <= limits.most)) return;
+  if (limits.most == Duration::max()) {
+    table.refuse(key, fmt::format("{} is too short", written(to)));
+  }
   table.refuse(key, fmt::format("{} is not from {} to {}", written(to), written(limits.least),
                                 written(limits.most)));
 }
