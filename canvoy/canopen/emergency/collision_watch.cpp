@@ -40,8 +40,7 @@ void CollisionWatch::reset(ResetScope /*scope*/) {
   const auto of_node = [&](std::uint16_t function) {
     return has_id ? static_cast<std::uint16_t>(function + node_.id()) : std::uint16_t{0};
   };
-  const CobId emergencies{
-      node_.dictionary().word(object_index::cob_id_emergency, 0, CobId::bit31)};
+  const CobId emergencies{node_.dictionary().word(object_index::cob_id_emergency, 0, CobId::bit31)};
   watch_cob_id(slots_[emergency_place], has_id ? emergencies : CobId{});
   listen(slots_[sdo_place], of_node(can_id::sdo_response));
   listen(slots_[heartbeat_place], of_node(can_id::error_control));

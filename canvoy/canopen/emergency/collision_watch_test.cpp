@@ -18,16 +18,16 @@ constexpr EntryRow entry(std::uint8_t sub, std::int64_t initial,
 }
 
 // Emergencies have 085h, TPDO 3 has 1A7h, and TPDO 4 is off. RPDO 1 receives 205h.
-constexpr auto layout = partial(lay_out(
-    std::to_array<ObjectRow>({object(0x1000), object(0x1001), object(0x1014), object(0x1400, 2),
-                              object(0x1600), object(0x1802, 2), object(0x1803, 2), object(0x1A02),
-                              object(0x1A03)}),
-    std::to_array<EntryRow>({entry(0, 0), entry(0, 0, DataType::unsigned8), entry(0, 0x85),
-                             entry(0, 2, DataType::unsigned8), entry(1, 0x205),
-                             entry(0, 0, DataType::unsigned8), entry(0, 2, DataType::unsigned8),
-                             entry(1, 0x1A7), entry(0, 2, DataType::unsigned8),
-                             entry(1, 0x8000'0285), entry(0, 0, DataType::unsigned8),
-                             entry(0, 0, DataType::unsigned8)})));
+constexpr auto layout =
+    partial(lay_out(std::to_array<ObjectRow>({object(0x1000), object(0x1001), object(0x1014),
+                                              object(0x1400, 2), object(0x1600), object(0x1802, 2),
+                                              object(0x1803, 2), object(0x1A02), object(0x1A03)}),
+                    std::to_array<EntryRow>(
+                        {entry(0, 0), entry(0, 0, DataType::unsigned8), entry(0, 0x85),
+                         entry(0, 2, DataType::unsigned8), entry(1, 0x205),
+                         entry(0, 0, DataType::unsigned8), entry(0, 2, DataType::unsigned8),
+                         entry(1, 0x1A7), entry(0, 2, DataType::unsigned8), entry(1, 0x8000'0285),
+                         entry(0, 0, DataType::unsigned8), entry(0, 0, DataType::unsigned8)})));
 
 /// In memory laid out at compile time, and in memory from the heap.
 struct StaticNode : DeviceNode<layout> {
@@ -71,10 +71,9 @@ TYPED_TEST(Collision, AForeignFrameWithACanIdOfTheNodeIsTold) {
 }
 
 TYPED_TEST(Collision, OfOthersAndOfWhatTheNodeReceivesNothingIsTold) {
-  for (const char* const frame :
-       {"706#05", "586#60 00 00 00 00 00 00 00", "605#40 00 10 00 00 00 00 00",
-        "086#00 00 00 00 00 00 00 00", "000#01 05", "080#", "185#00", "285#00", "705#R1",
-        "1A7#R"}) {
+  for (const char* const frame : {"706#05", "586#60 00 00 00 00 00 00 00",
+                                  "605#40 00 10 00 00 00 00 00", "086#00 00 00 00 00 00 00 00",
+                                  "000#01 05", "080#", "185#00", "285#00", "705#R1", "1A7#R"}) {
     EXPECT_EQ(this->told_of(frame).substr(0, 9) == "085#50 81", false) << frame;
   }
 }
