@@ -53,6 +53,8 @@ class SdoEnd {
   constexpr bool is_refusal() const { return kind_ == Kind::aborted_by_server; }
 
   friend constexpr bool operator==(const SdoEnd&, const SdoEnd&) = default;
+  /// A code does not say which side ended it: compare abort(), or ask for kind().
+  friend constexpr bool operator==(const SdoEnd&, AbortCode) = delete;
 
  private:
   constexpr SdoEnd(Kind kind, AbortCode code) : kind_(kind), abort_(code) {}

@@ -124,14 +124,36 @@ struct Reaction {
   }
 };
 
+template <const auto& first, const auto&...>
+consteval auto words_of_first() {
+  return words_of_place<first>();
+}
+/// True if the function returns AbortCode, and takes a value or the bytes of any.
+template <auto function>
+consteval bool checks_values() {
+  using Bytes = std::span<const std::uint8_t>;
+  using Reaction = Reaction<function>;
+  if constexpr (Reaction::template takes<const Entry&, Bytes>) {
+    using Answer =
+        std::invoke_result_t<decltype(function), typename Reaction::Unit, const Entry&, Bytes>;
+    return std::same_as<Answer, AbortCode>;
+  } else {
+    return requires { taken_by(function); };
+  }
+}
+
 }  // namespace detail
 
 /// `function` may refresh the value or refuse the access. It returns AbortCode or void, and takes
 /// (const Entry&) or nothing.
 template <auto function, const auto&... places>
 inline constexpr AccessHandlers before_read = [] {
+  using Reaction = detail::Reaction<function>;
+  static_assert(Must < Reaction::template takes<const Entry&> || Reaction::template takes<>,
+                wrong::HookFunction < detail::words_of_first<places...>(),
+                "takes the entry, or nothing", decltype(function) >> ::hold);
   AccessHandlers row = detail::range_of_place<places...>();
-  row.before_read = detail::Reaction<function>::before_read;
+  row.before_read = Reaction::before_read;
   return row;
 }();
 
@@ -142,6 +164,10 @@ inline constexpr AccessHandlers before_read = [] {
 template <auto function, const auto&... places>
 inline constexpr AccessHandlers before_write = [] {
   using Reaction = detail::Reaction<function>;
+  static_assert(
+      Must<detail::checks_values<function>(),
+           wrong::HookFunction<detail::words_of_first<places...>(),
+                               "returns AbortCode, takes the value", decltype(function)>>::hold);
   AccessHandlers row = detail::range_of_place<places...>();
   if constexpr (Reaction::template takes<const Entry&, std::span<const std::uint8_t>>) {
     row.before_write = Reaction::before_write;
@@ -158,8 +184,14 @@ inline constexpr AccessHandlers before_write = [] {
 /// them, or nothing.
 template <auto function, const auto&... places>
 inline constexpr AccessHandlers after_write = [] {
+  using Reaction = detail::Reaction<function>;
+  static_assert(Must < Reaction::template takes<const Entry&, Source> ||
+                    Reaction::template takes<const Entry&> || Reaction::template takes<Source> ||
+                    Reaction::template takes<>,
+                wrong::HookFunction < detail::words_of_first<places...>(),
+                "takes entry, source, not a value", decltype(function) >> ::hold);
   AccessHandlers row = detail::range_of_place<places...>();
-  row.after_write = detail::Reaction<function>::after_write;
+  row.after_write = Reaction::after_write;
   return row;
 }();
 

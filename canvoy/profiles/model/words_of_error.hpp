@@ -26,6 +26,9 @@ namespace wrong {
 /// Reports a hook with a parameter that is not of the type written at its location.
 template <Words object, Words rule, class Argument>
 struct HookArgument;
+/// Reports a hook with a function of another form.
+template <Words object, Words rule, class Function>
+struct HookFunction;
 
 }  // namespace wrong
 }  // namespace canvoy
