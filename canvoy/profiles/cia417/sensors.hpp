@@ -42,9 +42,11 @@ inline constexpr NamedValue sensor_signal_names[] = {
     {SensorSignal::not_installed, "sensor is not installed", Meaning::not_implemented},
 };
 
+/// The first source position that a sensor may tell: a maker defines it and those above it.
+inline constexpr std::uint8_t first_maker_position = 0x80;
 inline constexpr NamedValue source_position_names[] = {
-    {0x00, 0x7F, "reserved", Meaning::reserved},
-    {0x80, 0xFF, "manufacturer-specific", Meaning::manufacturer}};
+    {0x00, first_maker_position - 1, "reserved", Meaning::reserved},
+    {first_maker_position, 0xFF, "manufacturer-specific", Meaning::manufacturer}};
 inline constexpr NamedValue manufacturer_16[] = {
     {0x0000, 0xFFFF, "manufacturer-specific", Meaning::manufacturer}};
 

@@ -193,6 +193,8 @@ void judge_limits(Bench& bench, const Place& place, Complaints& complaints) {
     const Reply reply = bench.set(place.index, place.sub, load_unsigned(*bytes), bytes->size());
     if (reply) {
       complaints.add(fmt::format("{} takes {}, beyond its limit {}", place.text(), beyond, limit));
+    } else if (reply.kind != Reply::Kind::aborted) {
+      complaints.add(fmt::format("{} = {}: {}", place.text(), beyond, reply.text()));
     }
   };
   try_beyond(place.entry->low_limit, -1);
@@ -234,6 +236,7 @@ Verdict judge_hidden(Bench& bench) {
     complaints.tried();
     const Reply reply = bench.read(index, 0);
     if (reply) complaints.add(fmt::format("{:04X}h is there, and not in the data sheet", index));
+    if (reply.kind == Reply::Kind::silent) complaints.add(fmt::format("{:04X}h: {}", index, reply.text()));
   }
   return complaints.verdict("the data sheet has all objects");
 }

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::uint32_t load_signature = 0x6461'6F6C;  ///< "load"
 constexpr std::uint32_t on_command = 1;                ///< bit 0 of 1010h and 1011h
-constexpr Duration reset_boot_max = 5s;
-constexpr Duration after_boot_up = 20ms;
 /// Heartbeat producer times, in ms: two of them are not the default.
 constexpr std::uint32_t periods[] = {1234, 4321, 2345};
 
@@ -46,7 +44,7 @@ class Keeper {
   }
   std::optional<Verdict> save() { return sign(object_index::store_parameters, save_signature); }
   std::optional<Verdict> load() { return sign(object_index::restore_parameters, load_signature); }
-  std::optional<Verdict> reset();
+  std::optional<Verdict> reset() { return reset_node(bench_); }
   std::optional<Verdict> expect(std::uint32_t ms, std::string_view when);
   /// Restores all defaults, with nothing stored; then reads the default.
   std::optional<Verdict> begin_anew();
@@ -80,20 +78,6 @@ std::optional<Verdict> Keeper::sign(std::uint16_t index, std::uint32_t signature
   if (done) return std::nullopt;
   return failed(
       fmt::format("{} = {:08X}h: {}", text::object_text(index, group_), signature, done.text()));
-}
-
-std::optional<Verdict> Keeper::reset() {
-  bench_.drain();
-  bench_.command(NmtCommand::reset_node);
-  const Time until = bench_.now() + reset_boot_max;
-  while (bench_.now() < until && !bench_.is_broken()) {
-    const auto came = bench_.await(can_id::error_control + bench_.node(), until - bench_.now());
-    if (!came) break;
-    if (came->frame.is_remote() || came->frame.length != 1 || came->frame.data[0] != 0) continue;
-    bench_.listen(after_boot_up);
-    return std::nullopt;
-  }
-  return failed("no boot-up message within 5 s");
 }
 
 std::optional<Verdict> Keeper::expect(std::uint32_t ms, std::string_view when) {

@@ -61,12 +61,12 @@ Way other_byte(std::string_view name, std::string_view found_by, std::uint16_t i
 /// sources).
 TEST(CheckOfPdos, FindsWhatIsNotAsTheProfilePrintsIt) {
   expect_found(
-      {"lift-load", other_byte("its PDO has another CAN-ID", "417-4-tpdo-259", 0x1902, 1, 4, 0x01)},
+      {"lift-load", other_byte("its PDO has another CAN-ID", "417-4-tpdo-259-can-id", 0x1902, 1, 4, 0x01)},
       "profile");
   expect_found({"lift-load",
-                other_byte("its PDO has a synchronous type", "417-4-tpdo-259", 0x1902, 2, 4, 0xF0)},
+                other_byte("its PDO has a synchronous type", "417-4-tpdo-259-type", 0x1902, 2, 4, 0xF0)},
                "417-4-tpdo-259");
-  expect_found({"lift-door", other_byte("it maps another object behind its state", "417-4-tpdo-267",
+  expect_found({"lift-door", other_byte("it maps another object behind its state", "417-4-tpdo-267-mapping",
                                         0x1B0A, 2, 6, 0x01)},
                "profile");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/text/check/bench/case_rows.hpp"
 #include "canvoy/text/check/bench/own_pdo.hpp"
 #include "canvoy/text/check/case_lists.hpp"
 #include "canvoy/text/text.hpp"
@@ -43,7 +44,7 @@ Verdict judge_moved_while_valid(Bench& bench, const OwnPdo& pdo) {
   if (auto cannot = arrange(bench, pdo, {.type = 1})) return *cannot;
   const std::uint32_t other = (pdo.cob_id & CobId::bit30) | (pdo.can_id + 8);
   const Reply done = bench.set(pdo.parameter, 1, other, 4);
-  return done ? failed("another CAN-ID is taken while it is valid") : passed();
+  return refusal(done, "another CAN-ID is taken while it is valid");
 }
 
 Verdict judge_reserved_type(Bench& bench, const OwnPdo& pdo) {
@@ -63,13 +64,14 @@ Verdict judge_reserved_type(Bench& bench, const OwnPdo& pdo) {
   return passed();
 }
 
-/// Sub-index 04h is reserved; if it exists, it must refuse reads and writes.
+/// Sub-index 04h of a TPDO is reserved and does not exist; that of an RPDO is a compatibility
+/// entry, which a device may have as a value.
 Verdict judge_reserved_entry(Bench& bench, const OwnPdo& pdo) {
   const Reply done = bench.read(pdo.parameter, 4);
   if (done.is_absent()) return passed();
-  if (pdo.way == PdoWay::receive) return passed();
+  if (done && pdo.way == PdoWay::receive) return passed();
   return done ? failed(fmt::format("{} is read: {}", place(pdo.parameter, 4), done.text()))
-              : failed(done.text());
+              : failed(fmt::format("{}: {}", place(pdo.parameter, 4), done.text()));
 }
 
 Verdict judge_inhibit_while_valid(Bench& bench, const OwnPdo& pdo) {
@@ -77,16 +79,14 @@ Verdict judge_inhibit_while_valid(Bench& bench, const OwnPdo& pdo) {
   if (auto cannot = arrange(bench, pdo, {.type = 1})) return *cannot;
   const auto before = bench.number(pdo.parameter, 3).value_or(0);
   const Reply done = bench.set(pdo.parameter, 3, before + 1, 2);
-  return done ? failed("it is taken while the PDO is valid") : passed();
+  return refusal(done, "it is taken while the PDO is valid");
 }
 
 /// Prepares a change of the mapping: the PDO invalid, and nothing mapped.
 std::optional<Verdict> open_mapping(Bench& bench, const OwnPdo& pdo) {
   if (auto cannot = disable(bench, pdo)) return cannot;
   const Reply done = bench.set(pdo.mapping, 0, 0, 1);
-  if (!done) {
-    return not_applicable(fmt::format("{} is not written: {}", place(pdo.mapping, 0), done.text()));
-  }
+  if (!done) return cannot_set(place(pdo.mapping, 0), done);
   return std::nullopt;
 }
 
@@ -107,7 +107,7 @@ Verdict judge_mapped_again(Bench& bench, const OwnPdo& pdo) {
 Verdict judge_mapped_while_valid(Bench& bench, const OwnPdo& pdo) {
   if (auto cannot = arrange(bench, pdo, {.type = 1})) return *cannot;
   const Reply done = bench.set(pdo.mapping, 0, 0, 1);
-  return done ? failed("the mapping is changed while it is valid") : passed();
+  return refusal(done, "the mapping is changed while it is valid");
 }
 
 /// Refused when it is written, or when the number of entries is written.
@@ -139,7 +139,7 @@ Verdict judge_too_long(Bench& bench, const OwnPdo& pdo) {
   for (unsigned i = 1; i <= count; ++i) {
     const Reply done = bench.set(pdo.mapping, static_cast<std::uint8_t>(i), pdo.mapped.front(), 4);
     if (done.has_aborted(AbortCode::pdo_length)) return passed();
-    if (!done) return not_applicable(fmt::format("entry {} is not taken: {}", i, done.text()));
+    if (!done) return cannot_set(place(pdo.mapping, static_cast<std::uint8_t>(i)), done);
   }
   const Reply done = bench.set(pdo.mapping, 0, count, 1);
   if (done.has_aborted(AbortCode::pdo_length)) return passed();

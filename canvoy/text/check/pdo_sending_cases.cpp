@@ -245,7 +245,7 @@ std::optional<Verdict> produce(Bench& bench, unsigned period_us) {
   done = bench.set(index::sync_period, 0, period_us, 4);
   if (!done) return cannot_set("1006h", done);
   done = bench.set(index::cob_id_sync, 0, sync_test_id | CobId::bit30, 4);
-  if (!done) return not_applicable(fmt::format("it is no producer: {}", done.text()));
+  if (!done) return cannot_set("1005h with bit 30", done);
   return std::nullopt;
 }
 
@@ -269,7 +269,7 @@ Verdict judge_producer_moved(Bench& bench) {
   if (auto cannot = produce(bench, 20'000)) return *cannot;
   const std::uint32_t other = (sync_test_id + 8) | CobId::bit30;
   const Reply done = bench.set(index::cob_id_sync, 0, other, 4);
-  return done ? failed("another CAN-ID is taken while it produces") : passed();
+  return refusal(done, "another CAN-ID is taken while it produces");
 }
 
 Verdict judge_producer_stopped(Bench& bench) {

@@ -83,15 +83,18 @@ constexpr std::uint32_t no_signature = 0x7361'7665;
 Verdict judge_signature(Bench& bench, std::uint16_t index) {
   if (!bench.has(index)) return not_applicable(fmt::format("the device has no {:04X}h", index));
   const auto count = bench.number(index, 0).value_or(0);
+  unsigned tried = 0;
   for (unsigned sub = 1; sub <= std::min(count, 127U); ++sub) {
     const Reply done = bench.write(index, static_cast<std::uint8_t>(sub), no_signature, 4);
     if (done.is_absent() || done.has_aborted(AbortCode::read_only)) continue;
-    if (done.kind == Reply::Kind::aborted && done.abort == AbortCode::cannot_store) continue;
+    ++tried;
+    if (done.has_aborted(AbortCode::cannot_store)) continue;
     return failed(fmt::format("{} = {:08X}h: {}",
                               text::object_text(index, static_cast<std::uint8_t>(sub)),
                               no_signature, done.text()));
   }
-  return passed();
+  return tried == 0 ? not_applicable(fmt::format("no entry of {:04X}h is written", index))
+                    : passed();
 }
 Verdict judge_store_signature(Bench& bench) {
   return judge_signature(bench, object_index::store_parameters);

@@ -203,14 +203,14 @@ TEST(WiredHands, ASmokeSensorTellsItsSignalAndItsDefect) {
   ASSERT_EQ(unit.ask("23 81 19 01 8E 03 00 00"), "60 81 19 01 00 00 00 00");
   unit.take("smoke=signal@0s");
   unit.pass(20ms);
-  EXPECT_EQ(unit.cable.last(0x38E), "38E#03 01 02 00 FD FF");
+  EXPECT_EQ(unit.cable.last(0x38E), "38E#03 01 02 80 FD FF");
   unit.take("smoke=defective@0s");
   unit.pass(20ms);
-  EXPECT_EQ(unit.cable.last(0x38E), "38E#03 01 02 00 FE FF");
+  EXPECT_EQ(unit.cable.last(0x38E), "38E#03 01 02 80 FE FF");
   // -5 in 14 bits, left-aligned.
   unit.take("temperature=-5@0s");
   unit.pass(20ms);
-  EXPECT_EQ(unit.cable.last(0x38E), "38E#06 01 02 00 EC FF");
+  EXPECT_EQ(unit.cable.last(0x38E), "38E#06 01 02 80 EC FF");
 }
 
 /// Bits 7 and 6; the others are 1 (CiA 417-4, 4.8.1).

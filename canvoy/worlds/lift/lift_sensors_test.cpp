@@ -53,8 +53,8 @@ TEST(LiftSensors, SmokeInTheCarIsToldWhileItIsThere) {
   LiftNetwork network(description);
   Told told(network);
   network.run_until(Time(1min));
-  ASSERT_EQ(told.data(), (std::vector<std::string>{"38E#050100000000", "38E#060100005000",
-                                                   "38E#03010000FDFF", "38E#03010000FCFF"}));
+  ASSERT_EQ(told.data(), (std::vector<std::string>{"38E#050100800000", "38E#060100805000",
+                                                   "38E#03010080FDFF", "38E#03010080FCFF"}));
   EXPECT_LT(told.records[2].first - Time(30s), 5ms) << "behind the light barrier";
   EXPECT_LT(told.records[3].first - Time(35s), 5ms);
 }
@@ -68,7 +68,7 @@ TEST(LiftSensors, AtALandingTheyKnowTheirFloorAndNothingOfTheCar) {
   network.shaft(1).sensors(sensors_id)->set_level(cia417::SensorFunction::glass, true);
   network.run_until(Time(41s));
   EXPECT_EQ(told.data(),
-            (std::vector<std::string>{"38E#050103000000", "38E#060103005000", "38E#02010300FDFF"}));
+            (std::vector<std::string>{"38E#050103800000", "38E#060103805000", "38E#02010380FDFF"}));
 }
 
 TEST(LiftSensors, WhoHasNoPowerTellsWhenItComesBack) {
@@ -81,7 +81,7 @@ TEST(LiftSensors, WhoHasNoPowerTellsWhenItComesBack) {
   EXPECT_EQ(told.records.size(), 2U);
   network.run_until(Time(50s));
   const std::vector<std::string> data = told.data();
-  EXPECT_EQ(std::ranges::count(data, "38E#03010000FDFF"), 1);
+  EXPECT_EQ(std::ranges::count(data, "38E#03010080FDFF"), 1);
 }
 
 /// Its controller supervises it like any other node; the lift goes on.

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::int16_t value_min = -8192;
 constexpr std::int16_t value_max = 8191;
+/// A sensor without a record of its own: basic function 00h is reserved, a generic sensor has no
+/// data.
+constexpr VirtualSensor unassigned{.function = SensorFunction::generic};
 
 }  // namespace
 
@@ -97,7 +100,7 @@ void SensorUnit::reset(ResetScope) {
     state.stable = state.level;
     state.debouncing = state.counting = state.held = state.queued = state.missed = false;
     const bool is_assigned = number < settings_.sensors.size();
-    VirtualSensor record = is_assigned ? settings_.sensors[number] : VirtualSensor{};
+    VirtualSensor record = is_assigned ? settings_.sensors[number] : unassigned;
     record.data = data_of(state, place, record.function);
     state.told = record.data;
     node_.dictionary().set_number(place.index, place.sub, encode(record));

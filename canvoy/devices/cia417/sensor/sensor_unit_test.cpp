@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia417/sensor/sensor_place.hpp"
 #include "canvoy/devices/cia417/sensor/sensor_unit_device.hpp"
 
 namespace canvoy::cia417::sensor_unit_test {
@@ -76,24 +77,24 @@ TEST_F(Sensors, TellsASignalThatComesAndGoes) {
 
 TEST_F(Sensors, TheRecordStandsInItsGroup) {
   level(3, true);
-  EXPECT_EQ(device.node().dictionary().number(0x6500, 4), 0xFFFD'00'01'01'04U);
+  EXPECT_EQ(device.node().dictionary().number(0x6500, 4), 0xFFFD'80'01'01'04U);
   EXPECT_EQ(device.unit().sensor(3).signal(), SensorSignal::set);
-  EXPECT_EQ(device.node().dictionary().number(0x6012, 0), 0xFFFD'00'01'01'04U);
+  EXPECT_EQ(device.node().dictionary().number(0x6012, 0), 0xFFFD'80'01'01'04U);
 }
 
 TEST_F(Sensors, AValueIsSignedAndLeftAdjustedIn14Bits) {
   value(21);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 54 00"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 54 00"}));
   value(-40);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 60 FF"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 60 FF"}));
   value(8191);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 FC 7F"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 FC 7F"}));
   value(32767);
   EXPECT_EQ(told(), Records{}) << "no more can be told";
   value(-8192);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 00 80"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 00 80"}));
   level(2, true);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 01 80"})) << "its signal, beside the value";
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 01 80"})) << "its signal, beside the value";
   EXPECT_EQ(device.unit().sensor(2).value(), -8192);
 }
 
@@ -113,14 +114,14 @@ TEST_F(Sensors, ADefectIsAnEmergencyAndAgainAfterAReset) {
 
 TEST_F(Sensors, DefectsAndAbsenceAreSignals) {
   report(1, SensorSignal::defective, 0x17);
-  EXPECT_EQ(told(), (Records{"02 01 00 00 FE FF"}));
+  EXPECT_EQ(told(), (Records{"02 01 00 80 FE FF"}));
   EXPECT_EQ(ask("61E#40 20 65 02 00 00 00 00"), "59E#43 20 65 02 FF 17 FF FF");
   report(1, SensorSignal::not_installed);
-  EXPECT_EQ(told(), (Records{"02 01 00 00 FF FF"}));
+  EXPECT_EQ(told(), (Records{"02 01 00 80 FF FF"}));
   level(1, true);
   EXPECT_EQ(told(), Records{}) << "what it says does not count";
   report(1, SensorSignal::not_set);
-  EXPECT_EQ(told(), (Records{"02 01 00 00 FD FF"}));
+  EXPECT_EQ(told(), (Records{"02 01 00 80 FD FF"}));
 }
 
 TEST_F(Sensors, ManyThatChangeAtOnceAreToldOneAfterTheOther) {
@@ -130,8 +131,8 @@ TEST_F(Sensors, ManyThatChangeAtOnceAreToldOneAfterTheOther) {
   value(5);
   level(1, true);
   cable.run_for(1s);
-  EXPECT_EQ(told(), (Records{"04 01 01 00 FD FF", "03 01 03 80 FD FF", "06 01 FE 00 14 00",
-                             "02 01 00 00 FD FF"}));
+  EXPECT_EQ(told(), (Records{"04 01 01 80 FD FF", "03 01 03 80 FD FF", "06 01 FE 80 14 00",
+                             "02 01 00 80 FD FF"}));
 }
 
 TEST_F(Sensors, ASignalThatHasGoneBeforeItWasToldIsToldAllTheSame) {
@@ -142,7 +143,7 @@ TEST_F(Sensors, ASignalThatHasGoneBeforeItWasToldIsToldAllTheSame) {
   level(1, true);
   level(1, false);
   cable.run_for(1s);
-  EXPECT_EQ(told(), (Records{"03 01 03 80 FD FF", "02 01 00 00 FD FF", "02 01 00 00 FC FF"}));
+  EXPECT_EQ(told(), (Records{"03 01 03 80 FD FF", "02 01 00 80 FD FF", "02 01 00 80 FC FF"}));
   EXPECT_EQ(device.unit().waiting(), 0u);
 }
 
@@ -154,7 +155,7 @@ TEST_F(Sensors, WhatIsThereIsToldWhenTheNodeBecomesOperational) {
   EXPECT_EQ(told(), Records{});
   cable.send("000#01 1E");
   cable.run_for(10ms);
-  EXPECT_EQ(told(), (Records{"03 01 03 80 FD FF", "06 01 FE 00 00 00"}));
+  EXPECT_EQ(told(), (Records{"03 01 03 80 FD FF", "06 01 FE 80 00 00"}));
 }
 
 TEST_F(Sensors, ADisabledSensorHasNoSignal) {
@@ -208,18 +209,18 @@ TEST_F(Sensors, MoreEventsThanTheLimitationWaitForTheEndOfTheSecond) {
   ask("61E#23 40 65 03 FF 02 FF FF");
   told();
   for (std::int16_t celsius = 1; celsius <= 9; ++celsius) value(celsius);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 04 00", "06 01 FE 00 08 00"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 04 00", "06 01 FE 80 08 00"}));
   cable.run_for(999ms);
   EXPECT_EQ(told(), Records{});
   cable.run_for(1ms);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 24 00"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 24 00"}));
 }
 
 TEST_F(Sensors, SoManyEventsStartAMessage) {
   ask("61E#23 40 65 03 FF FF 03 FF");
   told();
   for (std::int16_t celsius = 1; celsius <= 7; ++celsius) value(celsius);
-  EXPECT_EQ(told(), (Records{"06 01 FE 00 0C 00", "06 01 FE 00 18 00"}));
+  EXPECT_EQ(told(), (Records{"06 01 FE 80 0C 00", "06 01 FE 80 18 00"}));
   cable.run_for(2s);
   value(8);
   EXPECT_EQ(told(), Records{}) << "in another second";
@@ -229,6 +230,19 @@ TEST_F(Sensors, LimitationsOfZeroAreReserved) {
   EXPECT_EQ(ask("61E#23 40 65 01 FF 00 FF FF"), "59E#80 40 65 01 30 00 09 06");
   EXPECT_EQ(ask("61E#23 40 65 01 FF FF 00 FF"), "59E#80 40 65 01 30 00 09 06");
   EXPECT_EQ(ask("61E#23 40 65 01 FF 01 01 FF"), "59E#60 40 65 01 00 00 00 00");
+}
+
+/// 4.13.1: basic function 00h and source positions 00h to 7Fh are reserved.
+TEST_F(Sensors, NoneTellsWhatIsReserved) {
+  Cable other;
+  SensorUnitDevice<2> bare(other.port(0), 31, {});
+  other.connect(0, bare.node());
+  other.start_all();
+  for (const std::uint8_t sub : {1, 2}) {
+    EXPECT_EQ(bare.node().dictionary().number(0x6500, sub), 0xFFFC'80'00'00'01U)
+        << "a generic sensor, which has no data";
+  }
+  for (const VirtualSensor& each : sensors_at(1, 3)) EXPECT_GE(each.position, 0x80);
 }
 
 TEST_F(Sensors, ASensorThatIsNotThereIsIgnored) {
@@ -248,8 +262,8 @@ TEST_F(Sensors, GroupsStandWhereTheirLiftHasThem) {
   other.send("000#01 1E");
   third.unit().set_level(1, true, other.now);
   other.run_for(0s);
-  EXPECT_EQ(other.last(0x39E), "39E#02 01 00 00 FD FF");
-  EXPECT_EQ(third.node().dictionary().number(0x7500, 2), 0xFFFD'00'00'01'02U);
+  EXPECT_EQ(other.last(0x39E), "39E#02 01 00 80 FD FF");
+  EXPECT_EQ(third.node().dictionary().number(0x7500, 2), 0xFFFD'80'00'01'02U);
   other.send("61E#23 40 75 01 FF 00 FF FF");
   EXPECT_EQ(other.last(0x59E), "59E#80 40 75 01 30 00 09 06");
 }

@@ -166,7 +166,7 @@ struct VirtualSensor {
   SensorFunction function = SensorFunction::none;  ///< kind of sensor
   std::uint8_t lifts = 0;                          ///< see lift_bit()
   std::uint8_t floor = floor_of_car;               ///< 0: in the car
-  std::uint8_t position = 0;                       ///< manufacturer-specific from 80h on
+  std::uint8_t position = first_maker_position;    ///< 80h to FFh; those below are reserved
   std::uint16_t data = 0;  ///< bits 1 and 0: see signal(); the others: see value()
 
   /// Signal of the sensor: bits 0 and 1.

@@ -46,9 +46,32 @@ LostHeartbeat lose_heartbeat(Bench& bench) {
   return {{}, bench.await(id, until_emergency)};
 }
 
+std::optional<Verdict> reset_node(Bench& bench) {
+  constexpr Duration boot_max = 5s;
+  constexpr Duration after_boot_up = 20ms;
+  bench.drain();
+  bench.command(NmtCommand::reset_node);
+  const Time until = bench.now() + boot_max;
+  while (bench.now() < until && !bench.is_broken()) {
+    const auto came = bench.await(can_id::error_control + bench.node(), until - bench.now());
+    if (!came) break;
+    if (came->frame.is_remote() || came->frame.length != 1 || came->frame.data[0] != 0) continue;
+    bench.listen(after_boot_up);
+    return std::nullopt;
+  }
+  return failed("no boot-up message within 5 s");
+}
+
 Verdict cannot_set(std::string_view object, const Reply& reply) {
   if (reply.is_absent()) return not_applicable(fmt::format("the device has no {}", object));
-  return not_applicable(fmt::format("{} is not written: {}", object, reply.text()));
+  std::string why = fmt::format("{} is not written: {}", object, reply.text());
+  return reply.kind == Reply::Kind::aborted ? not_applicable(std::move(why))
+                                            : failed(std::move(why));
+}
+
+Verdict refusal(const Reply& reply, std::string_view taken) {
+  if (reply) return failed(std::string(taken));
+  return reply.kind == Reply::Kind::aborted ? passed() : failed(reply.text());
 }
 
 }  // namespace canvoy::conformance

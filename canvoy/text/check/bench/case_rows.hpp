@@ -62,7 +62,15 @@ LostHeartbeat lose_heartbeat(Bench& bench);
 /// Sends one more heartbeat of that node.
 void send_heartbeat(Bench& bench);
 
-/// Verdict for a failed write: `1017h is not written: abort ...`.
+/// Resets the device, and waits for its boot-up message. Returns what is wrong if none comes within
+/// 5 s.
+std::optional<Verdict> reset_node(Bench& bench);
+
+/// Verdict for a failed write: `1017h is not written: abort ...`. An abort means that the case does
+/// not apply; silence and an answer to another request are failures.
 Verdict cannot_set(std::string_view object, const Reply& reply);
+/// Verdict for a write that must be refused, with any abort code; `taken` is the failure if it was
+/// not.
+Verdict refusal(const Reply& reply, std::string_view taken);
 
 }  // namespace canvoy::conformance
