@@ -16,6 +16,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.parse
 
 from command import CANVOY, CommandTest, USAGE, run
 
@@ -478,6 +479,68 @@ class RunTest(CommandTest):
         self.assert_refused(run("view", "no such bus"), USAGE)
         with tempfile.NamedTemporaryFile(suffix=".log") as empty:
             self.assert_refused(run("view", empty.name), 1, empty.name)
+
+
+class ActsTest(CommandTest):
+    """What people do at the page is part of the run: its command, its file and its link play the same frames."""
+
+    def played(self, folder, *words):
+        log = os.path.join(folder, "again.log")
+        result = run(*words, "--for", "40s", "--log", log)
+        self.assertNotEqual(result.returncode, USAGE, result.stderr)
+        with open(log, encoding="ascii") as lines:
+            return lines.read().splitlines()
+
+    def test_visits_reads_writes_and_commands_are_played_again(self):
+        lift = ("run", "lift", "--lifts", "1", "--floors", "6", "--percent", "0")
+        with tempfile.TemporaryDirectory() as folder:
+            with served(*lift, "--for", "10min", "--web", "--speed", "20", "--allow-write", "all") as (_, port, _):
+                path = "/api/networks/lift1/nodes/2/"
+                self.assertEqual(post(port, "/api/run/visit", {"from": 2, "to": 5})[0], 200)
+                self.assertEqual(read(port, path + "objects/1018:1")[0], 200)
+                self.assertEqual(post(port, path + "objects/1017", {"value": "750"})[0], 200)
+                self.assertEqual(post(port, path + "nmt", {"command": "enter pre-operational"})[0], 200)
+                end = time.monotonic() + PATIENCE
+                while json.loads(get(port, "/api/state")[1])["time"] < 41 and time.monotonic() < end:
+                    time.sleep(0.05)
+                post(port, "/api/run/pause", {"paused": True})
+                plan = json.loads(get(port, "/api/state")[1])["plan"]
+                frames = get(port, "/api/frames.log")[1].decode().splitlines()
+                file = os.path.join(folder, "run.toml")
+                with open(file, "wb") as written:
+                    written.write(get(port, "/api/run.toml")[1])
+            kinds = [act.split(":")[0] for act in plan["acts"]]
+            self.assertEqual(kinds, ["visit", "read", "write", "nmt"])
+            self.assertIn("visit:from=2:to=5@", plan["acts"][0])
+            self.assertIn(":object=1017/00:bytes=EE02@", plan["acts"][2])  # 750, low byte first
+            heard = [line for line in frames if float(line[1:].split(")")[0]) < 40]
+            self.assertIn("602#2B171000EE020000", " ".join(heard))  # CiA 301: initiate download of 2 bytes
+            words = [word for word in plan["command"].split()[1:]]
+            at = words.index("--for")
+            self.assertEqual(self.played(folder, *words[:at], *words[at + 2:])[:len(heard)], heard)
+            self.assertEqual(self.played(folder, "run", file)[:len(heard)], heard)
+            link = "http://127.0.0.1:1/#" + urllib.parse.urlencode([("seed", plan["seed"]), *(("act", act) for act in plan["acts"])])
+            self.assertEqual(self.played(folder, *lift, "--link", link)[:len(heard)], heard)
+            self.assertNotEqual(self.played(folder, *lift)[:len(heard)], heard)
+
+    def test_another_run_has_the_acts_that_are_given_or_none(self):
+        with served("run", "lift", "--web", "--speed", "0") as (_, port, _):
+            acts = ["visit:from=2:to=5@1s"]
+            self.assertEqual(post(port, "/api/run/restart", {"acts": acts})[0], 200)
+            self.assertEqual(json.loads(get(port, "/api/state")[1])["plan"]["acts"], acts)
+            self.assertEqual(post(port, "/api/run/restart", {"keep": True})[0], 200)
+            self.assertEqual(json.loads(get(port, "/api/state")[1])["plan"]["acts"], acts)
+            for wrong in ("visit:from=2:to=99@1s", "read:bus=can7:node=1:object=1000@1s", "visit"):
+                status, answer = post(port, "/api/run/restart", {"acts": [wrong]})
+                self.assertEqual(status, 422, answer)
+            self.assertEqual(json.loads(get(port, "/api/state")[1])["plan"]["acts"], acts)
+            self.assertEqual(post(port, "/api/run/restart", {})[0], 200)
+            self.assertEqual(json.loads(get(port, "/api/state")[1])["plan"]["acts"], [])
+
+    def test_an_act_that_cannot_be_is_refused(self):
+        self.assert_refused(run("run", "charger", "--act", "visit:from=1:to=2@1s"), USAGE, "nobody visits")
+        self.assert_refused(run("run", "charger", "--act", "read:bus=can7:node=5:object=1000@1s"), USAGE, "can7")
+        self.assert_refused(run("run", "charger", "--act", "read:bus=sim0"), USAGE, "it has no time")
 
 
 class ViewTest(CommandTest):

@@ -10,6 +10,7 @@ namespace {
 constexpr double whole_most = 0x1p53;  ///< below it, each integer is a double
 constexpr double seconds_most = 1e9;
 constexpr double faults_most = 200;
+constexpr double acts_most = 10'000;
 constexpr double node_most = 127;
 constexpr double floor_most = 254;
 
@@ -92,6 +93,11 @@ constexpr std::array restart_members = {
               .description = "as --fault of canvoy run has them",
               .most = faults_most,
               .is_required = false},
+    ApiMember{.name = "acts",
+              .kind = ApiKind::texts,
+              .description = "as --act of canvoy run has them",
+              .most = acts_most,
+              .is_required = false},
     ApiMember{.name = "keep",
               .kind = ApiKind::truth,
               .description = "up to the time where it is",
@@ -158,7 +164,7 @@ constexpr std::array routes = {
     ApiRoute{.method = "GET",
              .path = "/api/run.toml",
              .name = "runFile",
-             .summary = "The run as it is played, with its seed and its faults: a network file "
+             .summary = "The run as it is played, with its seed, its faults and what was done: a network file "
                         "that `canvoy run FILE` plays the same",
              .action = ApiAction::run_file,
              .type = "application/toml",
@@ -251,7 +257,7 @@ constexpr std::array routes = {
     ApiRoute{.method = "POST",
              .path = "/api/run/restart",
              .name = "restart",
-             .summary = "Another run: from the start, with this seed and these faults",
+             .summary = "Another run: from the start, with this seed, these faults and acts",
              .members = restart_members,
              .answer = "Done",
              .statuses = of_words},

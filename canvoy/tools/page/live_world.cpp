@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/page/refusal.hpp"
@@ -27,7 +26,7 @@ constexpr Duration slice = 100ms;
 constexpr Duration verdict_period = 500ms;
 constexpr Duration fault_after = 1ms;
 constexpr Duration step_most = 1h;
-constexpr std::size_t actions_max = 10'000;
+constexpr std::size_t acts_max = 10'000;
 constexpr std::size_t faults_max = 200;
 
 Duration seconds(const nlohmann::ordered_json& value) {
@@ -49,17 +48,6 @@ struct LiveWorld::Tap {
   std::string name;
 };
 
-/// A node on a bus of the world that sends requests for viewers.
-struct LiveWorld::Desk {
-  Desk(World& world, BusIndex bus) : slot(world.add_slot(bus)), port(world.port(slot)), desk(port) {
-    world.occupy(slot, desk.node());
-    world.start(slot);
-  }
-  SlotIndex slot;
-  Port port;
-  SdoRequests desk;
-};
-
 LiveWorld::LiveWorld(LiveWorldOptions options, const PlayOptions& play, WritePermission permission,
                      host::EventLoop& loop)
     : LiveNetwork(options.decoding, std::move(permission)),
@@ -75,13 +63,12 @@ LiveWorld::~LiveWorld() {
 }
 
 void LiveWorld::build() {
-  desks_.clear();
+  actor_.reset();
   taps_.clear();
   log_.reset();
   made_ = options_.make(options_.plan);
   told_ = 0;
   buses_ = network().bus_names();
-  desks_.resize(buses_.size());
   for (BusIndex i = 0; i < buses_.size(); ++i) {
     taps_.push_back(std::make_unique<Tap>(Tap{this, buses_[i]}));
     world().bus(i).observe({.context = taps_.back().get(),
@@ -93,11 +80,22 @@ void LiveWorld::build() {
     real_ = std::make_unique<RealBuses>(world(), play_.real, loop_);
     run_beside_real_buses();
   }
-  done_ = 0;
+  actor_ = std::make_unique<Actor>(network(), acts_of(options_.plan));
   judged_at_ = never;
   trend_.clear();
   worst_times_.clear();
   next_look_ = {};
+}
+
+/// Those of the command, and those that viewers added.
+std::vector<Act> LiveWorld::acts_of(const WorldPlan& plan) const {
+  std::vector<Act> acts = play_.acts;
+  for (Act& added : parse_acts(plan.acts)) {
+    added.is_added = true;
+    acts.push_back(std::move(added));
+  }
+  std::ranges::stable_sort(acts, {}, &Act::at);
+  return acts;
 }
 
 void LiveWorld::begin_log() {
@@ -113,7 +111,8 @@ void LiveWorld::check_can_replay() const {
 /// The plan is tried before the present run is given up.
 void LiveWorld::begin_again(const WorldPlan& plan, Time up_to) {
   check_can_replay();
-  static_cast<void>(options_.make(plan));
+  const MadeWorld tried = options_.make(plan);
+  static_cast<void>(Actor(*tried.network, acts_of(plan)));
   options_.plan = plan;
   recorder().end();  // it belongs to one run
   begin_anew();
@@ -141,7 +140,7 @@ LiveSource::Json LiveWorld::description() {
           {"can",
            {{"play", true},
             {"replay", !has_real()},
-            {"visit", made_.visit != nullptr},
+            {"visit", network().takes_visitors()},
             {"read", true},
             {"record", recorder().is_allowed()},
             {"write", permission().text()},
@@ -162,13 +161,8 @@ void LiveWorld::advance(Time clock) {
   if (log_failure_) throw Failure(*log_failure_);
 }
 
-/// Repeats actions at their times.
 void LiveWorld::run_until(Time until) {
-  while (done_ < actions_.size() && actions_[done_].at <= until) {
-    network().run_until(actions_[done_].at);
-    do_action(actions_[done_++], {});
-  }
-  network().run_until(until);
+  actor_->run_until(until);
   look_back();
 }
 
@@ -211,9 +205,10 @@ LiveSource::Json LiveWorld::play_json() {
 LiveSource::Json LiveWorld::plan_json() const {
   std::string command = options_.command + fmt::format(" --seed {}", options_.plan.seed);
   for (const std::string& fault : options_.plan.faults) command += " --fault " + fault;
+  for (const std::string& act : options_.plan.acts) command += " --act " + act;
   return {{"seed", options_.plan.seed},
           {"faults", options_.plan.faults},
-          {"deeds", actions_.size()},
+          {"acts", options_.plan.acts},
           {"command", command}};
 }
 
@@ -281,26 +276,27 @@ void LiveWorld::add_fault(const Json& arguments) {
 }
 
 void LiveWorld::visit(const Json& arguments) {
-  if (!made_.visit) throw NotNow("nobody visits this network");
-  if (playback_.is_seeking()) throw NotNow("the run is on its way to where it was");
-  if (done_ >= actions_max) throw NotNow("too much was done already: start anew");
-  actions_.resize(done_);
-  const UserAction action{.at = now(),
-                          .from = arguments.at("from").get<unsigned>(),
-                          .to = arguments.at("to").get<unsigned>()};
-  if (!made_.visit(action.from, action.to))
-    throw UsageError("there is no way between these floors");
-  actions_.push_back(action);
-  done_ = actions_.size();
+  if (!network().takes_visitors()) throw NotNow("nobody visits this network");
+  act_now({.from = arguments.at("from").get<unsigned>(), .to = arguments.at("to").get<unsigned>()},
+          {});
 }
 
-/// `seed` and `faults`, if they change; `keep`: play up to the present time.
+/// Does it, and keeps it in the plan.
+void LiveWorld::act_now(Act act, const SdoRequests::Done& done) {
+  if (playback_.is_seeking()) throw NotNow("the run is on its way to where it was");
+  if (actor_->done() >= acts_max) throw NotNow("too much was done already: start anew");
+  actor_->act(std::move(act), done);
+  options_.plan.acts = actor_->added();
+}
+
+/// `seed`, `faults` and `acts`, if they change; `keep`: play up to the present time.
 void LiveWorld::restart(const Json& arguments) {
   WorldPlan plan = options_.plan;
   plan.seed = arguments.value("seed", plan.seed);
   plan.faults = arguments.value("faults", plan.faults);
   const bool keeps = arguments.value("keep", false);
-  if (!keeps) actions_.clear();
+  if (!keeps) plan.acts.clear();
+  plan.acts = arguments.value("acts", plan.acts);
   begin_again(plan, keeps ? now() : Time{});
 }
 
@@ -308,45 +304,9 @@ void LiveWorld::request(const BusRequest& request, const SdoRequests::Done& done
   if (playback_.is_paused() || playback_.is_over() || playback_.speed() == 0) {
     throw NotNow("time stands still, and nobody answers: let the run go on first");
   }
-  if (playback_.is_seeking()) throw NotNow("the run is on its way to where it was");
-  if (done_ >= actions_max) throw NotNow("too much was done already: start anew");
-  static_cast<void>(bus_of(request.bus));
-  actions_.resize(done_);
-  actions_.push_back({.at = now(), .request = request});
-  do_action(actions_[done_++], done);
-}
-
-void LiveWorld::do_action(const UserAction& action, const SdoRequests::Done& done) {
-  if (!action.request) {
-    made_.visit(action.from, action.to);
-    return;
-  }
-  const SdoRequests::Done told = done ? done : [](const SdoRequests::Answer&) {};
-  const BusRequest& wanted = *action.request;
-  Desk& desk = desk_of(bus_of(wanted.bus));
-  if (wanted.kind == BusRequest::Kind::nmt) {
-    desk.port.send(desk.port.context,
-                   Frame::data_frame(can_id::nmt, {wanted.bytes[0], wanted.node}));
-    return;
-  }
-  desk.desk.node().advance(now());
-  if (wanted.kind == BusRequest::Kind::read) {
-    desk.desk.read(wanted.node, wanted.index, wanted.sub, told);
-  } else {
-    desk.desk.write(wanted.node, wanted.index, wanted.sub, wanted.bytes, told);
-  }
-  world().touched(desk.slot);
-}
-
-BusIndex LiveWorld::bus_of(const std::string& name) const {
-  const auto found = std::ranges::find(buses_, name);
-  if (found == buses_.end()) throw NotThere(fmt::format("there is no bus '{}'", name));
-  return static_cast<BusIndex>(found - buses_.begin());
-}
-
-LiveWorld::Desk& LiveWorld::desk_of(BusIndex bus) {
-  if (!desks_[bus]) desks_[bus] = std::make_unique<Desk>(world(), bus);
-  return *desks_[bus];
+  if (std::ranges::find(buses_, request.bus) == buses_.end())
+    throw NotThere(fmt::format("there is no bus '{}'", request.bus));
+  act_now({.request = request}, done);
 }
 
 int LiveWorld::finish() {

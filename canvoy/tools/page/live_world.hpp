@@ -1,5 +1,5 @@
-// A simulated network that viewers watch, play with and break. Their actions are stored with their
-// times: a fault is added to the plan, and the run is played again from its start to the present.
+// A simulated network that viewers watch, play with and break. What they do is part of the plan,
+// with its time: a fault is added, and the run is played again from its start to the present.
 // Equal plans always give equal runs, frame by frame.
 #pragma once
 
@@ -17,6 +17,7 @@
 #include "canvoy/tools/page/playback.hpp"
 #include "canvoy/tools/page/trend.hpp"
 #include "canvoy/tools/page/worst_times.hpp"
+#include "canvoy/tools/player/actor.hpp"
 #include "canvoy/tools/player/player.hpp"
 #include "canvoy/tools/player/real_buses.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
@@ -27,6 +28,7 @@ namespace canvoy::tools {
 struct WorldPlan {
   std::uint64_t seed = 1;
   std::vector<std::string> faults{};  ///< beside those of the command
+  std::vector<std::string> acts{};    ///< beside those of the command, see act.hpp
 };
 
 /// A played network, and its additions for a page.
@@ -34,8 +36,6 @@ struct MadeWorld {
   std::unique_ptr<PlayedNetwork> network;
   /// The constant surroundings, for drawing.
   std::shared_ptr<const nlohmann::ordered_json> scenery{};  ///< null: none
-  /// Adds a visitor that travels from one floor to another; false: no route. Empty: no visitors.
-  std::function<bool(unsigned from, unsigned to)> visit{};
 };
 
 struct LiveWorldOptions {
@@ -71,14 +71,6 @@ class LiveWorld : public LiveNetwork {
 
  private:
   struct Tap;
-  struct Desk;
-  /// An action of a viewer, with its time.
-  struct UserAction {
-    Time at{};
-    std::optional<BusRequest> request{};
-    unsigned from = 0;  ///< floors of a visitor
-    unsigned to = 0;
-  };
 
   PlayedNetwork& network() { return *made_.network; }
   World& world() { return network().world(); }
@@ -89,9 +81,8 @@ class LiveWorld : public LiveNetwork {
   void run_until(Time until);
   void run_beside_real_buses();
   void take_events();
-  void do_action(const UserAction& action, const SdoRequests::Done& done);
-  BusIndex bus_of(const std::string& name) const;
-  Desk& desk_of(BusIndex bus);
+  std::vector<Act> acts_of(const WorldPlan& plan) const;
+  void act_now(Act act, const SdoRequests::Done& done);
   void add_fault(const Json& arguments);
   void visit(const Json& arguments);
   void restart(const Json& arguments);
@@ -110,10 +101,8 @@ class LiveWorld : public LiveNetwork {
   std::vector<std::unique_ptr<Tap>> taps_;
   std::unique_ptr<RealBuses> real_;
   host::EventLoop::Id real_timer_ = 0;
-  std::vector<std::unique_ptr<Desk>> desks_;
+  std::unique_ptr<Actor> actor_;
   std::size_t told_ = 0;  ///< number of events reported
-  std::vector<UserAction> actions_;
-  std::size_t done_ = 0;  ///< of the deeds, in this run
   std::optional<LogWriter> log_;
   std::optional<std::string> log_failure_;
   std::unique_ptr<Json> summary_;  ///< as of `judged_at_`

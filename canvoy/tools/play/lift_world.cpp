@@ -22,6 +22,19 @@ class PlayedLifts : public Played<LiftNetwork> {
     for (const lift::BusDescription& bus : network_.description().buses) names.push_back(bus.name);
     return names;
   }
+  bool takes_visitors() const override { return true; }
+  bool has_way(unsigned from, unsigned to) const override {
+    const lift::Building& building = network_.description().building;
+    const auto is_floor = [&](unsigned floor) {
+      return floor >= 1 && floor <= building.floor_count();
+    };
+    return is_floor(from) && is_floor(to) && from != to &&
+           building.has_way(static_cast<lift::FloorNumber>(from),
+                            static_cast<lift::FloorNumber>(to));
+  }
+  void visit(unsigned from, unsigned to) override {
+    network_.visit(static_cast<lift::FloorNumber>(from), static_cast<lift::FloorNumber>(to));
+  }
 
  private:
   LiftHands hands_;
@@ -110,9 +123,6 @@ MadeWorld LiftWorld::make(const Run& run, const Choice&) {
   MadeWorld world{
       .network = nullptr,
       .scenery = std::make_shared<const nlohmann::ordered_json>(building_json(run.network))};
-  world.visit = [&lifts = played->network()](unsigned from, unsigned to) {
-    return lifts.visit(static_cast<lift::FloorNumber>(from), static_cast<lift::FloorNumber>(to));
-  };
   world.network = std::move(played);
   return world;
 }

@@ -116,6 +116,11 @@ typename World::Run read_run(TomlTable& file, const std::string& folder) {
   } catch (const Failure& failure) {
     file.refuse("faults", failure.what());
   }
+  try {
+    static_cast<void>(parse_acts(run.acts));
+  } catch (const Failure& failure) {
+    file.refuse("acts", failure.what());
+  }
   World::check(file, folder, run);
   return run;
 }
@@ -156,11 +161,12 @@ void check_run(const typename World::Run& run) {
   if constexpr (requires { World::check_run(run); }) World::check_run(run);
 }
 
-/// The run with the seed of the plan, and its faults in addition to those of the run.
+/// The run with the seed of the plan, and its faults and acts in addition to those of the run.
 template <class World>
 typename World::Run planned(typename World::Run run, const WorldPlan& plan) {
   if (plan.seed != run.network.faults.seed) set_seed<World>(run, plan.seed);
   for (const std::string& fault : plan.faults) add_fault<World>(run, fault);
+  run.acts.insert(run.acts.end(), plan.acts.begin(), plan.acts.end());
   check_run<World>(run);
   return run;
 }
@@ -175,6 +181,8 @@ PlayOptions apply(const RunOptions& options, typename World::Run& run) {
   if (options.seed) detail::set_seed<World>(run, *options.seed);
   for (const std::string& fault : options.faults) add_fault<World>(run, fault);
   detail::check_run<World>(run);
+  run.acts.insert(run.acts.end(), options.acts.begin(), options.acts.end());
+  play_as.acts = parse_acts(run.acts);
   play_as.real = run.real;
   play_as.terminal_speed = World::info().terminal_speed;
   return play_as;

@@ -23,6 +23,7 @@ namespace canvoy::tools {
 struct WorldRun {
   std::vector<RealBus> real{};
   std::vector<std::string> faults_of_file{};  ///< as read, until they are added
+  std::vector<std::string> acts{};            ///< of the file and of people, see act.hpp
 
   bool has_real(BusIndex bus) const {
     return std::ranges::find(real, bus, &RealBus::bus) != real.end();
@@ -118,10 +119,21 @@ Setting<Run> faults_setting(std::string_view network) {
               }};
 }
 
-/// Duration, seed and faults.
+/// `acts = ["visit:from=2:to=7@1min"]`
+template <class Run>
+Setting<Run> acts_setting() {
+  return {.key = "acts",
+          .takes = "a list of texts",
+          .help = "what people did from outside, as the page writes it",
+          .take = [](TomlTable& table, Run& run) { table.take("acts", run.acts); },
+          .value =
+              [](const Run& run) { return run.acts.empty() ? "" : detail::in_file(run.acts); }};
+}
+
+/// Duration, seed, faults and acts.
 template <class Run>
 std::vector<Setting<Run>> world_head(Setting<Run> length, std::string_view network) {
-  return {std::move(length), seed_setting<Run>(), faults_setting<Run>(network)};
+  return {std::move(length), seed_setting<Run>(), faults_setting<Run>(network), acts_setting<Run>()};
 }
 
 /// `real = "can0"` at a bus.

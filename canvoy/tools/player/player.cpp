@@ -16,6 +16,7 @@
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/interruption.hpp"
+#include "canvoy/tools/player/actor.hpp"
 #include "canvoy/tools/player/real_buses.hpp"
 #include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
@@ -77,6 +78,7 @@ class Player {
  public:
   Player(PlayedNetwork& network, const PlayOptions& options)
       : network_(network),
+        actor_(network, options.acts),
         options_(options),
         is_live_(!options.json && isatty(STDOUT_FILENO) != 0),
         speed_(options.speed >= 0 ? options.speed
@@ -131,7 +133,7 @@ class Player {
       next_picture_ += picture_period;
       std::this_thread::sleep_until(next_picture_);
     }
-    network_.run_until(until);
+    actor_.run_until(until);
     // If the machine is too slow, the clock does not run ahead.
     next_picture_ = std::max(next_picture_, std::chrono::steady_clock::now() - picture_period);
   }
@@ -139,7 +141,7 @@ class Player {
   void run_beside_real_buses(Time until) {
     while (network_.world().now() < until && !is_interrupted()) {
       loop_->run_until(loop_->now() + RealBuses::period);
-      network_.run_until(std::min(until, real_->reach(loop_->now())));
+      actor_.run_until(std::min(until, real_->reach(loop_->now())));
     }
   }
 
@@ -250,6 +252,7 @@ class Player {
   }
 
   PlayedNetwork& network_;
+  Actor actor_;
   const PlayOptions& options_;
   bool is_live_;
   double speed_;

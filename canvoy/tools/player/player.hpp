@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "canvoy/sim/world.hpp"
+#include "canvoy/tools/player/act.hpp"
 #include "canvoy/tools/player/reported_event.hpp"
 #include "canvoy/tools/player/world_text.hpp"
 
@@ -38,6 +39,12 @@ class PlayedNetwork {
   /// Its invariants, in the order of summary_json(); empty if the summary has those of several
   /// networks.
   virtual std::vector<Judged> judged() const { return {}; }
+  /// True if people come and go.
+  virtual bool takes_visitors() const { return false; }
+  /// True if a visitor can travel from one floor to the other.
+  virtual bool has_way(unsigned /*from*/, unsigned /*to*/) const { return false; }
+  /// Adds a visitor. Needs has_way().
+  virtual void visit(unsigned /*from*/, unsigned /*to*/) {}
 };
 
 /// A real bus that is part of a bus of the network.
@@ -56,6 +63,7 @@ struct PlayOptions {
   bool json = false;
   bool require_decided = false;    ///< see verdict_status()
   std::vector<RealBus> real = {};  ///< with any, the speed is 1
+  std::vector<Act> acts = {};      ///< in the order of their times
 };
 
 /// exit_failed if an invariant is broken; exit_undecided if all judged ones held, some were not

@@ -28,7 +28,7 @@ std::string command_of(const Verb& command, const RunOptions& options) {
   constexpr std::array left_out = {
       "--seed",           "--speed", "--web",  "--allow-write",  "--out",  "--log",
       "--json",           "--print", "--help", "--allow-record", "--link", "--fault",
-      "--require-decided"};
+      "--act",                  "--require-decided"};
   std::string text;
   for (const Verb* verb = &command; verb != nullptr; verb = verb->parent()) {
     const std::string name = verb->name();
@@ -42,6 +42,7 @@ std::string command_of(const Verb& command, const RunOptions& options) {
     }
   }
   for (const std::string& fault : options.faults) text += " --fault " + fault;
+  for (const std::string& act : options.acts) text += " --act " + act;
   return text;
 }
 
@@ -49,6 +50,7 @@ std::string command_of(const Verb& command, const RunOptions& options) {
 struct RunLink {
   std::uint64_t seed = 0;
   std::vector<std::string> faults = {};
+  std::vector<std::string> acts = {};
 };
 std::optional<RunLink> parse_link(const std::string& text) {
   const std::size_t mark = text.find('#');
@@ -62,6 +64,7 @@ std::optional<RunLink> parse_link(const std::string& text) {
   }
   for (const auto& [name, value] : target->query) {
     if (name == "fault") link.faults.push_back(value);
+    if (name == "act") link.acts.push_back(value);
   }
   return link;
 }
@@ -132,6 +135,7 @@ void complete(const Verb& command, RunOptions& options) {
   if (const std::optional<RunLink> link = parse_link(options.link)) {
     options.seed = link->seed;
     options.faults.insert(options.faults.end(), link->faults.begin(), link->faults.end());
+    options.acts.insert(options.acts.end(), link->acts.begin(), link->acts.end());
   }
   options.command = command_of(command, options);
   const bool is_web = !is_of_report(command) && command.count("--web") != 0;
@@ -146,7 +150,11 @@ void add_run_options(Verb& command, RunOptions& options, const std::string& faul
       {"--seed", options.seed, "of all that is left to chance (default 1)",
        checked_by(whole_number)},
       {"--fault", options.faults, fault_help, one_each},
-      {"--link", options.link, "a link of the page: its seed and its faults", checked_by(a_link)},
+      {"--act", options.acts,
+       "what a person did, as Share of the page says it; one of " + std::string(act_forms),
+       one_each},
+      {"--link", options.link, "a link of the page: its seed, its faults, and what was done",
+       checked_by(a_link)},
   });
   if (is_of_report(command)) {
     command.add({{"--out",

@@ -18,9 +18,10 @@ namespace canvoy::tools {
 struct RunOptions {
   std::optional<std::string> duration;
   std::vector<std::string> faults;  ///< in addition to those of the file
+  std::vector<std::string> acts;    ///< in addition to those of the file, see act.hpp
   std::string log;
   std::optional<std::uint64_t> seed;
-  std::string link;   ///< link from a page, with its seed and faults
+  std::string link;   ///< link from a page, with its seed, faults and acts
   double speed = -1;  ///< see PlayOptions
   bool require_decided = false;
   bool json = false;

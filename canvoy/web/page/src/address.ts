@@ -3,8 +3,8 @@
 //
 //     #view=frames&filter=node%3D10&at=12.5&pin=sim0+10+6060:00&seed=1&fault=...
 //
-// `at` is present while time stands, in seconds since the start; seed and faults are those of the
-// run.
+// `at` is present while time stands, in seconds since the start; seed, faults and acts (what people
+// did) are those of the run.
 import { useEffect, useState } from "preact/hooks";
 
 export type Part = "view" | "filter" | "frame" | "search" | "node" | "list" | "object" | "sort" | "zoom" | "at";
@@ -13,7 +13,9 @@ const listeners = new Set<() => void>();
 
 const parts = () => new URLSearchParams(location.hash.slice(1));
 export const part = (name: Part) => parts().get(name) ?? "";
-export const parts_of = (name: "pin" | "fault") => parts().getAll(name);
+/** Lists in the address: pins, and what the run has had. */
+export type ListPart = "pin" | "fault" | "act";
+export const parts_of = (name: ListPart) => parts().getAll(name);
 /** The run in the address; none without a seed. */
 export const asked_seed = () => parts().get("seed");
 
@@ -39,10 +41,12 @@ export const go = (changes: Partial<Record<Part, string>>) => write(changed(chan
 /** Adds details to the present place: what is typed, picked or pinned. */
 export const refine = (changes: Partial<Record<Part, string>>) => write(changed(changes), false);
 
-export function refine_list(name: "pin" | "fault", values: string[], also: [string, string][] = []) {
+export function refine_lists(lists: Partial<Record<ListPart, string[]>>, also: [string, string][] = []) {
   const made = parts();
-  made.delete(name);
-  values.forEach((value) => made.append(name, value));
+  for (const [name, values] of Object.entries(lists)) {
+    made.delete(name);
+    values.forEach((value) => made.append(name, value));
+  }
   also.forEach(([key, value]) => made.set(key, value));
   write(made, false);
 }

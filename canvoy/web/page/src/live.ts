@@ -1,7 +1,7 @@
 // The connection to the server, and its data: a state that is complete at first and then changes,
 // events, values of objects, and frames.
 import { useEffect, useState } from "preact/hooks";
-import { parts_of, refine_list } from "./address";
+import { parts_of, refine_lists } from "./address";
 
 export type Json = any;
 
@@ -290,7 +290,7 @@ function restore_pins() {
   if (!Array.isArray(all)) return;
   for (const key of all.map(String)) if (!live.samples.has(key)) live.samples.set(key, first_sample(key));
   remember_all();
-  if (all.length > 0) refine_list("pin", pins());
+  if (all.length > 0) refine_lists({ pin: pins() });
   tell_values();
 }
 
@@ -310,7 +310,7 @@ export function pin(key: string) {
     void remember(key);
   }
   tell_values();
-  refine_list("pin", pins());
+  refine_lists({ pin: pins() });
   try {
     localStorage.setItem(pin_key(), JSON.stringify(pins()));
   } catch {

@@ -100,7 +100,7 @@ function Share(props: { close: () => void }) {
         <>
           <label class="field"><span>{texts.share_command}</span><input readOnly value={plan.command} id="share-command" /></label>
           <Copy text={plan.command} />
-          <p class="hint">{texts.share_note} {plan.deeds > 0 && texts.share_deeds(plan.deeds)}</p>
+          <p class="hint">{texts.share_note} {plan.acts.length > 0 && texts.share_acts(plan.acts.length)}</p>
         </>
       )}
       <div class="tools">

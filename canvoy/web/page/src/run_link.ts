@@ -1,6 +1,6 @@
 // The run and its time in the address: a link requests them, and the present ones are written to
 // it.
-import { asked_seed, link_hash, part, parts_of, refine, refine_list, watch_address, go, type Part } from "./address";
+import { asked_seed, link_hash, part, parts_of, refine, refine_lists, watch_address, go, type Part } from "./address";
 import { ask, live } from "./live";
 import { time_text } from "./parts";
 import { texts } from "./texts";
@@ -25,7 +25,8 @@ const time_ahead = () => (is_on_its_way() ? going_to : time_now());
 function asked() {
   const plan = live.state.plan;
   const seed = asked_seed();
-  const is_other = !!plan && seed !== null && (String(plan.seed) !== seed || JSON.stringify(plan.faults) !== JSON.stringify(parts_of("fault")));
+  const is_other = !!plan && seed !== null
+    && JSON.stringify([String(plan.seed), plan.faults, plan.acts]) !== JSON.stringify([seed, parts_of("fault"), parts_of("act")]);
   const at = part("at");
   const time = at === "" ? NaN : Number(at);
   return { is_other, time, moves: Number.isFinite(time) && time >= 0 && (is_other || Math.abs(time - time_ahead()) > close_s) };
@@ -50,7 +51,7 @@ async function follow(by_link: boolean) {
   answers = true;
   if (!by_link || confirm(question)) {
     if (moves) await ask("pause", { paused: true });  // first: a restarted run does not play beyond the time
-    if (restarts) await ask("restart", { seed: Number(asked_seed()), faults: parts_of("fault") });
+    if (restarts) await ask("restart", { seed: Number(asked_seed()), faults: parts_of("fault"), acts: parts_of("act") });
     if (moves) await go_to(time);
   }
   answers = false;
@@ -62,7 +63,7 @@ function write_run() {
   if (answers || live.state.time === undefined || is_on_its_way()) return;
   const at = stands() ? at_text(time_now()) : "";
   const { plan } = live.state;
-  if (plan) refine_list("fault", plan.faults, [["seed", String(plan.seed)], ["at", at]]);
+  if (plan) refine_lists({ fault: plan.faults, act: plan.acts }, [["seed", String(plan.seed)], ["at", at]]);
   else refine({ at });
 }
 
@@ -73,7 +74,7 @@ let written = "";
 export function follow_run() {
   const { play, plan } = live.state;
   if (play?.seeking || is_on_its_way()) return;
-  const now = JSON.stringify([plan?.seed, plan?.faults, stands() && time_now()]);
+  const now = JSON.stringify([plan?.seed, plan?.faults, plan?.acts, stands() && time_now()]);
   if (now === written) return;
   written = now;
   if (is_first) void follow(true);

@@ -55,11 +55,11 @@ export const texts = {
   share_title: "What is shown, for others",
   share_link: "Link: this view, its filter, time, selection and pins",
   share_command: "Command: the same run once more",
-  share_note: "The same seed and the same faults make the same run, frame by frame.",
+  share_note: "The same seed, faults and acts make the same run, frame by frame.",
   share_local: "Only this machine reaches this address. For others, start the command with --web 0.0.0.0:8080.",
   share_token: "The link has the token: who has it may do at this page what you may.",
-  share_deeds: (n: number) =>
-    `What was done by hand (${n}: visitors, reads, writes) is in neither.`,
+  share_acts: (n: number) =>
+    `What was done here (${n === 1 ? "one visitor, read, write or command" : `${n} visitors, reads, writes and commands`}) is part of all three, at its time.`,
   copy: "Copy",
   copied: "Copied",
   not_copied: "The browser does not allow it: mark it and copy",
