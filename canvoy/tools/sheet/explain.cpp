@@ -91,11 +91,13 @@ void explain_object(std::uint16_t index, Explanations& explanations) {
   }
 }
 
-void explain_can_id(std::uint32_t id, Explanations& explanations) {
+/// A CAN-ID that the pre-defined connection set does not use is told where nothing else is meant.
+void explain_can_id(std::uint32_t id, bool is_meant, Explanations& explanations) {
   text::FrameDecoder decoder;
   const text::FrameWords& words = decoder.decode(Frame::data_frame(id, {}));
-  if (words.service.empty()) return;
-  std::string text(words.service);
+  const bool is_used = words.service != "other" && !words.service.empty();
+  if (!is_used && !is_meant) return;
+  std::string text(is_used ? words.service : "of no service");
   if (words.node != 0) text += " of " + text::node_text(words.node);
   explanations.push_back({"CAN-ID, as pre-defined", std::move(text)});
 }
@@ -112,6 +114,15 @@ void explain_byte(std::uint8_t byte, Explanations& explanations) {
   }
   if (byte >= 1 && byte <= node_id_max)
     explanations.push_back({"node-ID", text::node_text(static_cast<NodeId>(byte))});
+}
+
+/// `100` to `127`
+void explain_decimal_node(const std::string& text, Explanations& explanations) {
+  unsigned number = 0;
+  const char* const last = text.data() + text.size();
+  const bool is_decimal = std::from_chars(text.data(), last, number).ptr == last;
+  if (!is_decimal || text.front() == '0' || number > node_id_max) return;
+  explanations.push_back({"node-ID, decimal", text::node_text(static_cast<NodeId>(number))});
 }
 
 /// `operational`
@@ -139,8 +150,10 @@ Explanations explain(const std::string& text) {
     explain_emergency(static_cast<std::uint16_t>(code->number), explanations);
     explain_object(static_cast<std::uint16_t>(code->number), explanations);
   } else if (code->digits == 3 && code->number <= Frame::id_max) {
-    explain_can_id(code->number, explanations);
+    explain_decimal_node(text, explanations);
+    explain_can_id(code->number, explanations.empty(), explanations);
   } else if (code->digits <= 2) {
+    explain_can_id(code->number, false, explanations);
     explain_byte(static_cast<std::uint8_t>(code->number), explanations);
   }
   return explanations;
@@ -204,6 +217,10 @@ std::vector<FoundObject> search_objects(const std::vector<std::string>& words) {
       }
     }
   }
+  // Values before what says how they are transmitted.
+  constexpr std::uint16_t communication_last = 0x1FFF;
+  std::ranges::stable_sort(
+      found, {}, [](const FoundObject& each) { return each.object->index <= communication_last; });
   return found;
 }
 
