@@ -121,7 +121,7 @@ TEST(ConfigurationDownload, AConciseDcfThatShrinksUnderWayEndsIt) {
   manager.receive("585#60 17 10 00 00 00 00 00");
   manager.expect({});
   EXPECT_EQ(manager.ends, 1);
-  EXPECT_EQ(manager.outcome.end, AbortCode::length_too_low);
+  EXPECT_EQ(manager.outcome.end.abort(), AbortCode::length_too_low);
   EXPECT_EQ(manager.outcome.index, 0);
   EXPECT_EQ(manager.outcome.written, 1u);
 }

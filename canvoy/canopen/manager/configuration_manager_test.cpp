@@ -196,7 +196,7 @@ TEST(ConfigurationManager, AMalformedConciseDcfIsToBlameItself) {
   manager.update(7);
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.end, AbortCode::length_too_low);
+  EXPECT_EQ(manager.outcome.end.abort(), AbortCode::length_too_low);
   EXPECT_EQ(manager.outcome.index, 0);
 }
 
@@ -218,7 +218,7 @@ TEST(ConfigurationManager, AnExpectedDateWithoutAConciseDcfCannotBeReached) {
   manager.receive("589#43 20 10 01 00 00 00 00");
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.end, AbortCode::no_data);
+  EXPECT_EQ(manager.outcome.end.abort(), AbortCode::no_data);
 }
 
 TEST(ConfigurationManager, ConfiguresAsManyAtATimeAsItHasWorkers) {

@@ -303,6 +303,24 @@ TEST_F(ProgramServerTest, EachBitOfAProgramCounts) {
   EXPECT_TRUE(is_valid_after_power_on());
 }
 
+/// Parameters that were stored at the place of a program are none, intact as they are.
+TEST_F(ProgramServerTest, ARecordOfAnotherKindIsNoProgram) {
+  {
+    ProgramNode sut(memory);
+    sut.command(1, 3);
+    sut.download(a_program(40));
+  }
+  RecordHead::Bytes bytes;
+  std::copy_n(memory.bytes.begin(), bytes.size(), bytes.begin());
+  RecordHead head = *RecordHead::from(bytes);
+  ++head.kind;
+  std::ranges::copy(head.bytes(), memory.bytes.begin());
+  EXPECT_FALSE(is_valid_after_power_on());
+  --head.kind;
+  std::ranges::copy(head.bytes(), memory.bytes.begin());
+  EXPECT_TRUE(is_valid_after_power_on());
+}
+
 // Power fails at each byte of clearing and downloading: the old program, the new one, or none is
 // present; never a part of one.
 TEST_F(ProgramServerTest, ALossOfPowerNeverLeavesHalfAProgram) {

@@ -254,23 +254,71 @@ TEST(TraceWriter, SaysWhatTheFormatDoesNotKeep) {
 }
 
 TEST(TraceWriter, CompressesWhereTheNameSaysSo) {
-  const TemporaryFile file;
-  const std::string path = file.path() + ".log.gz";
-  {
-    auto writer = TraceWriter::create(path, *trace_format_of(path));
-    for (const TraceFrame& frame : some_frames()) EXPECT_TRUE(writer->write(frame));
-    EXPECT_TRUE(writer->finish());
-    EXPECT_GT(writer->size(), 0U);
+  for (const TraceFormat* format : trace_formats()) {
+    if (!format->is_written()) continue;
+    SCOPED_TRACE(format->name);
+    const TemporaryFile file;
+    const std::string path =
+        file.path() + std::string(format->endings.substr(0, format->endings.find(' '))) + ".gz";
+    {
+      auto writer = TraceWriter::create(path, *format);
+      ASSERT_TRUE(writer);
+      for (const TraceFrame& frame : some_frames()) EXPECT_TRUE(writer->write(frame));
+      EXPECT_TRUE(writer->finish());
+      EXPECT_GT(writer->size(), 0U);
+    }
+    auto trace = TraceReader::open(path);
+    ASSERT_TRUE(trace);
+    TraceFrame frame;
+    for (const TraceFrame& expected : some_frames()) {
+      ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+      if (!expected.frame.is_error()) EXPECT_EQ(frame.frame, expected.frame);
+    }
+    EXPECT_EQ(trace->next(frame), TraceRead::end);
+    ::unlink(path.c_str());
   }
-  auto trace = TraceReader::open(path);
-  ASSERT_TRUE(trace);
-  TraceFrame frame;
-  for (const TraceFrame& expected : some_frames()) {
-    ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
-    EXPECT_EQ(frame.frame, expected.frame);
+}
+
+/// Records that reach over the end of what is read at once, in each format.
+TEST(TraceWriter, WritesLogsThatAreReadWhereverTheBufferEnds) {
+  constexpr std::uint32_t count = 10'000;
+  for (const TraceFormat* format : trace_formats()) {
+    if (!format->is_written()) continue;
+    SCOPED_TRACE(format->name);
+    const TemporaryFile file;
+    {
+      auto writer = TraceWriter::create(file.path(), *format);
+      ASSERT_TRUE(writer);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        Frame frame = Frame::data_frame(i & Frame::id_max, {1, 2, 3, 4, 5, 6, 7, 8});
+        frame.length = i % 9;
+        EXPECT_TRUE(writer->write({start + 1ms * i, frame, "can0", TraceDirection::received}));
+      }
+      EXPECT_TRUE(writer->finish());
+    }
+    auto trace = TraceReader::open(file.path());
+    ASSERT_TRUE(trace);
+    TraceFrame frame;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      ASSERT_EQ(trace->next(frame), TraceRead::frame) << i << ": " << trace->problem();
+      ASSERT_EQ(frame.time, start + 1ms * i);
+      ASSERT_EQ(frame.frame.id, i & Frame::id_max);
+      ASSERT_EQ(frame.frame.length, i % 9);
+    }
+    EXPECT_EQ(trace->next(frame), TraceRead::end);
   }
-  EXPECT_EQ(trace->next(frame), TraceRead::end);
-  ::unlink(path.c_str());
+}
+
+/// As written by CSVWriter of python-can 4.1.
+TEST(TraceWriter, WritesWhatPythonCanWritesAsCsv) {
+  EXPECT_EQ(written(TraceFormat::python_can_csv,
+                    {{Time{} + 1500ms, Frame::data_frame(0, {1})},
+                     {Time{} + 2s, Frame::data_frame(5, {})},
+                     {Time{} + 3s, Frame::data_frame(0x18DAF110, {0x1E, 0x2F})}}),
+            "timestamp,arbitration_id,extended,remote,error,dlc,data\n"
+            "1.5,0x0,0,0,0,1,AQ==\n"
+            "2.0,0x5,0,0,0,0,\n"
+            "3.000000,0x18daf110,1,0,0,2,Hi8=\n");
 }
 
 TEST(TraceWriter, KeepsToABoundedNumberOfInterfaces) {
