@@ -1,5 +1,5 @@
-// The kinds of devices of a lift, for the catalogue: a row each, in kinds.cpp or in the source of a
-// device that is put together of several units.
+// The kinds of devices of a lift, for the catalogue: a row each, in ../kinds.cpp or in the source
+// of a device that is put together of several units.
 #pragma once
 
 #include "canvoy/devices/kit/device_kind.hpp"
