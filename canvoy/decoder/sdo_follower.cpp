@@ -65,6 +65,7 @@ SdoStep SdoFollower::request(const Frame& frame) {
   if (asks && is_answer_due_ && overtaken_ < overtaken_max) ++overtaken_;
   is_answer_due_ = !ends;
   hears_client_ = true;
+  heard_ = sdo::Message(frame);
   step.marks = marks_;
   step.behind = behind(step.message, sdo::Message(frame));
   return step;
@@ -77,6 +78,7 @@ SdoStep SdoFollower::response(const Frame& frame) {
   step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   is_answer_due_ = false;
   hears_server_ = true;
+  heard_ = sdo::Message(frame);
   const bool answers = step.message == SdoMessage::value || step.message == SdoMessage::written ||
                        step.message == SdoMessage::indication;
   if (answers && marks_.has(Mark::out_of_place) && overtaken_ > 0) {
@@ -274,9 +276,10 @@ void SdoFollower::take_segment(const sdo::Message& message) {
   expect_size(last_);
 }
 
-/// Segments are taken even if the confirmation was not heard.
+/// Segments are taken even if the confirmation was not heard, and once where they are repeated.
 SdoStep SdoFollower::download_segment(const sdo::Message& message) {
-  expect(is_in(Phase::segments, true) && !last_);
+  expect(is_in(Phase::segments, true) && !last_ && !is_repeated(message));
+  if (is_repeated(message)) return {SdoMessage::write_segment};
   if (is_asked(true, SdoTransfer::Kind::segmented)) phase_ = Phase::segments;
   if (is_in(Phase::segments, true)) {
     expect_toggle(message);
@@ -303,7 +306,7 @@ SdoStep SdoFollower::upload_segment(const sdo::Message& message) {
 
 SdoStep SdoFollower::upload_segment_response(const sdo::Message& message) {
   expect(is_in(Phase::segments, false));
-  if (!is_in(Phase::segments, false)) return {SdoMessage::segment};
+  if (!is_in(Phase::segments, false) || is_repeated(message)) return {SdoMessage::segment};
   expect_toggle(message);
   toggle_ ^= sdo::toggle_bit;
   take_segment(message);

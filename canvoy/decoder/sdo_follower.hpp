@@ -131,6 +131,9 @@ class SdoFollower {
   /// Marks a message that no other message calls for. Not marked where listening started in the
   /// middle, or where only one side is heard.
   void expect(bool is_in_place);
+  /// True if a message is the last one again: an error at the end of a frame makes its sender repeat
+  /// what was received (ISO 11898-1).
+  bool is_repeated(const sdo::Message& message) const { return heard_ == message; }
   void expect_zero(const sdo::Message& message, unsigned reserved_bits);
   void expect_toggle(const sdo::Message& message);
   void expect_size(bool is_all);
@@ -162,6 +165,7 @@ class SdoFollower {
   /// Number of requests sent before the previous one was answered, as by a client with a short
   /// time-out. Each of them may still be answered.
   unsigned overtaken_ = 0;
+  std::optional<sdo::Message> heard_;       ///< the last message of either side
   std::optional<std::uint32_t> announced_;  ///< announced number of bytes
   Marks marks_;                             ///< of this message
 };

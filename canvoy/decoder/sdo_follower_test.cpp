@@ -271,6 +271,32 @@ TEST(SdoFollower, MarksASegmentThatDoesNotWaitForTheConfirmation) {
   EXPECT_NE(take(sut, parse_frame("58A#2000000000000000").frame).done, nullptr);
 }
 
+/// An error in the last bit but one of a frame makes its sender repeat what all have received.
+TEST(SdoFollower, TakesASegmentThatTheBusRepeatsOnce) {
+  SdoFollower upload;
+  expect_marks(upload, {{"60A#4008100000000000"},
+                        {"58A#410810000A000000"},
+                        {"60A#6000000000000000"},
+                        {"58A#0043616E766F7920"},
+                        {"58A#0043616E766F7920", "out of place"},
+                        {"60A#7000000000000000"}});
+  const SdoStep read = take(upload, parse_frame("58A#1942434400000000").frame);
+  EXPECT_EQ(text_of(read.marks), "");
+  ASSERT_NE(read.done, nullptr);
+  EXPECT_EQ(std::string(read.done->bytes.begin(), read.done->bytes.end()), "Canvoy BCD");
+
+  SdoFollower download;
+  expect_marks(download, {{"60A#210820000A000000"},
+                          {"58A#6008200000000000"},
+                          {"60A#0043616E766F7920"},
+                          {"60A#0043616E766F7920", "out of place"},
+                          {"58A#2000000000000000"},
+                          {"60A#1942434400000000"}});
+  const SdoStep written = take(download, parse_frame("58A#3000000000000000").frame);
+  ASSERT_NE(written.done, nullptr);
+  EXPECT_EQ(std::string(written.done->bytes.begin(), written.done->bytes.end()), "Canvoy BCD");
+}
+
 TEST(SdoFollower, MarksNothingOfWhatItDidNotHearBegin) {
   for (const std::string_view frame :
        {"60A#7000000000000000", "58A#1043616E766F7920", "60A#1043616E766F7920",
