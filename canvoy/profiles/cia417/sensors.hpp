@@ -46,7 +46,7 @@ inline constexpr NamedValue sensor_signal_names[] = {
 inline constexpr std::uint8_t first_maker_position = 0x80;
 inline constexpr NamedValue source_position_names[] = {
     {0x00, first_maker_position - 1, "reserved", Meaning::reserved},
-    {first_maker_position, 0xFF, "manufacturer-specific", Meaning::manufacturer}};
+    {first_maker_position, std::uint8_t{0xFF}, "manufacturer-specific", Meaning::manufacturer}};
 inline constexpr NamedValue manufacturer_16[] = {
     {0x0000, 0xFFFF, "manufacturer-specific", Meaning::manufacturer}};
 

@@ -44,4 +44,7 @@ void add_profile_cases(TestCases& cases, const Profile& profile);
 /// The PDOs that the profile predefines.
 void add_profile_pdo_cases(TestCases& cases, const Profile& profile);
 
+/// The defaults of a profile: these cases reset the device, which may lose what was set before.
+void add_profile_reset_cases(TestCases& cases, const Profile& profile);
+
 }  // namespace canvoy::conformance

@@ -68,6 +68,7 @@ TestCases all_cases(const Profile* profile) {
   if (profile != nullptr) {
     add_profile_cases(cases, *profile);
     add_profile_pdo_cases(cases, *profile);
+    add_profile_reset_cases(cases, *profile);
     add_behaviour_cases(cases, *profile);
   }
   return cases;

@@ -236,7 +236,8 @@ Verdict judge_hidden(Bench& bench) {
     complaints.tried();
     const Reply reply = bench.read(index, 0);
     if (reply) complaints.add(fmt::format("{:04X}h is there, and not in the data sheet", index));
-    if (reply.kind == Reply::Kind::silent) complaints.add(fmt::format("{:04X}h: {}", index, reply.text()));
+    if (reply.kind == Reply::Kind::silent)
+      complaints.add(fmt::format("{:04X}h: {}", index, reply.text()));
   }
   return complaints.verdict("the data sheet has all objects");
 }

@@ -8,7 +8,7 @@
 #include "canvoy/canopen/storage/storage.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/text/check/bench/case_rows.hpp"
-#include "canvoy/text/check/testing/middle.hpp"
+#include "canvoy/text/check/testing/all_ways.hpp"
 
 namespace canvoy::conformance::kept_test {
 namespace {
@@ -86,8 +86,8 @@ bool pretends(Middle& middle, const Frame& frame, std::uint16_t index) {
   return false;
 }
 
-TEST(KeptParameters, OfBrokenDevicesAreFound) {
-  const std::vector<Way> ways = {
+std::vector<Way> keeping_ways() {
+  return {
       {"it says that it stores, and does not",
        {"store-04", "store-05"},
        {},
@@ -119,7 +119,10 @@ TEST(KeptParameters, OfBrokenDevicesAreFound) {
          return false;
        }},
   };
-  for (const Way& way : ways) {
+}
+
+TEST(KeptParameters, OfBrokenDevicesAreFound) {
+  for (const Way& way : keeping_ways()) {
     KeepingDevice sut;
     Middle middle(*sut.device);
     apply(*sut.device, middle, way);
@@ -131,3 +134,11 @@ TEST(KeptParameters, OfBrokenDevicesAreFound) {
 
 }  // namespace
 }  // namespace canvoy::conformance::kept_test
+
+namespace canvoy::conformance {
+
+std::vector<Way> keeping_ways() {
+  return kept_test::keeping_ways();
+}
+
+}  // namespace canvoy::conformance

@@ -20,6 +20,8 @@ std::vector<std::string> passed_in_lift(std::string_view name, unsigned lift,
   EXPECT_THAT(failures(report), ::testing::IsEmpty()) << name << " of lift " << lift;
   std::vector<std::string> ids;
   for (const TestResult& each : report.results) {
+    // A reset makes it a device of lift 1 again.
+    if (each.test->id.ends_with("-default")) continue;
     if (each.verdict.outcome == Outcome::passed) ids.push_back(each.test->id);
   }
   return ids;
@@ -60,14 +62,14 @@ Way other_byte(std::string_view name, std::string_view found_by, std::uint16_t i
 /// TPDO 259 of a load measuring unit: 188h, on events, with 6482h:01h (CiA 417-3, of public
 /// sources).
 TEST(CheckOfPdos, FindsWhatIsNotAsTheProfilePrintsIt) {
-  expect_found(
-      {"lift-load", other_byte("its PDO has another CAN-ID", "417-4-tpdo-259-can-id", 0x1902, 1, 4, 0x01)},
-      "profile");
-  expect_found({"lift-load",
-                other_byte("its PDO has a synchronous type", "417-4-tpdo-259-type", 0x1902, 2, 4, 0xF0)},
+  expect_found({"lift-load", other_byte("its PDO has another CAN-ID", "417-4-tpdo-259-can-id",
+                                        0x1902, 1, 4, 0x01)},
+               "profile");
+  expect_found({"lift-load", other_byte("its PDO has a synchronous type", "417-4-tpdo-259-type",
+                                        0x1902, 2, 4, 0xF0)},
                "417-4-tpdo-259");
-  expect_found({"lift-door", other_byte("it maps another object behind its state", "417-4-tpdo-267-mapping",
-                                        0x1B0A, 2, 6, 0x01)},
+  expect_found({"lift-door", other_byte("it maps another object behind its state",
+                                        "417-4-tpdo-267-mapping", 0x1B0A, 2, 6, 0x01)},
                "profile");
 }
 

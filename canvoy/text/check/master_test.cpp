@@ -9,7 +9,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/model/layout.hpp"
-#include "canvoy/text/check/testing/middle.hpp"
+#include "canvoy/text/check/testing/all_ways.hpp"
 
 namespace canvoy::conformance::master_test {
 namespace {
@@ -125,3 +125,11 @@ TEST(Master, ThatIsBrokenIsFound) {
 
 }  // namespace
 }  // namespace canvoy::conformance::master_test
+
+namespace canvoy::conformance {
+
+std::vector<Way> master_ways() {
+  return master_test::master_ways();
+}
+
+}  // namespace canvoy::conformance

@@ -164,8 +164,7 @@ void add_device_type_case(TestCases& cases, const Profile& profile) {
   object->entry.fields = profile.device_type;
   cases.push_back({fmt::format("{}-1000-fields", short_name(profile)), Group::profile,
                    std::string(profile.name), "1000h Device type has nothing reserved in its bits",
-                   "an upload", "codes that the profile knows",
-                   [object, &profile](Bench& bench) {
+                   "an upload", "codes that the profile knows", [object, &profile](Bench& bench) {
                      return judge_fields(bench, {&profile, object.get()});
                    }});
 }
@@ -186,11 +185,14 @@ void add_manager_cases(TestCases& cases) {
   add_rows(cases, Group::manager, program_rows);
 }
 
-void add_profile_cases(TestCases& cases, const Profile& profile) {
-  add_device_type_case(cases, profile);
+namespace {
+
+/// The rows that reset the device, or the others.
+void add_rows_of(TestCases& cases, const Profile& profile, bool is_of_resets) {
   for (const ObjectInfo* object : profile.objects) {
     for (const ProfileRow& row : profile_rows) {
-      if (!applies(row, profile, *object)) continue;
+      const bool resets = row.judge == judge_default;
+      if (resets != is_of_resets || !applies(row, profile, *object)) continue;
       const Ruled ruled{&profile, object};
       cases.push_back(
           {fmt::format("{}-{:04X}-{}", short_name(profile), object->index, row.id), Group::profile,
@@ -200,6 +202,17 @@ void add_profile_cases(TestCases& cases, const Profile& profile) {
            [ruled, &row](Bench& bench) { return judge_in_blocks(bench, ruled, row.judge); }});
     }
   }
+}
+
+}  // namespace
+
+void add_profile_cases(TestCases& cases, const Profile& profile) {
+  add_device_type_case(cases, profile);
+  add_rows_of(cases, profile, false);
+}
+
+void add_profile_reset_cases(TestCases& cases, const Profile& profile) {
+  add_rows_of(cases, profile, true);
 }
 
 }  // namespace canvoy::conformance

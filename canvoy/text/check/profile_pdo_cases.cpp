@@ -230,26 +230,26 @@ constexpr PdoRow pdo_rows[] = {
      find_wrong_mapping},
 };
 
-/// Cases of one message; `name` is `419-tpdo-1`, `what` is `TPDO 1`.
-void add_message(TestCases& cases, const std::string& name, const std::string& what,
-                 const std::string& clause, const Message& message) {
+/// Cases of one message; `name` is `419-tpdo-1`, `what` is `TPDO 1`. Those that reset the device
+/// are added to `resets`.
+void add_message(TestCases& cases, TestCases& resets, const std::string& name,
+                 const std::string& what, const std::string& clause, const Message& message) {
   const auto any = [&message](auto test) {
     return std::ranges::any_of(message, [&test](const Printed& each) { return test(each.info); });
   };
   const auto shared = std::make_shared<const Message>(message);
   for (const PdoRow& row : pdo_rows) {
     if (row.find_wrong == find_wrong_can_id && !any(has_certain_can_id)) continue;
-    cases.push_back({fmt::format("{}-{}", name, row.id), Group::profile, clause,
-                     fmt::format("{} {}", what, row.title), "uploads", std::string(row.expects),
-                     [shared, &row](Bench& bench) {
-                       return judge_message(bench, *shared, row.find_wrong);
-                     }});
+    cases.push_back(
+        {fmt::format("{}-{}", name, row.id), Group::profile, clause,
+         fmt::format("{} {}", what, row.title), "uploads", std::string(row.expects),
+         [shared, &row](Bench& bench) { return judge_message(bench, *shared, row.find_wrong); }});
   }
   if (message.size() == 1 && any(is_off_by_default) && !any(has_certain_can_id)) {
-    cases.push_back({name + "-off", Group::profile, clause,
-                     what + " waits for its COB-ID behind a reset", "NMT 81h; an upload",
-                     "bit 31 of its COB-ID",
-                     [shared](Bench& bench) { return judge_off(bench, *shared); }});
+    resets.push_back({name + "-off", Group::profile, clause,
+                      what + " waits for its COB-ID behind a reset", "NMT 81h; an upload",
+                      "bit 31 of its COB-ID",
+                      [shared](Bench& bench) { return judge_off(bench, *shared); }});
   }
 }
 
@@ -289,6 +289,7 @@ Messages messages_of(const Profile& profile) {
 
 void add_profile_pdo_cases(TestCases& cases, const Profile& profile) {
   const Messages messages = messages_of(profile);
+  TestCases resets;
   std::map<std::string, unsigned> used;
   const auto name = [&](const PdoInfo& pdo) {
     return fmt::format("{}-{}", short_name(profile), name_of(pdo, used));
@@ -299,11 +300,12 @@ void add_profile_pdo_cases(TestCases& cases, const Profile& profile) {
   };
   for (const auto& [key, message] : messages.plain) {
     const PdoInfo& pdo = message.front().info;
-    add_message(cases, name(pdo), what(pdo), clause_of(profile, pdo), message);
+    add_message(cases, resets, name(pdo), what(pdo), clause_of(profile, pdo), message);
   }
   for (const PdoInfo& pdo : messages.multiplexed) {
     add_multiplexed(cases, name(pdo), what(pdo), clause_of(profile, pdo), pdo);
   }
+  cases.insert(cases.end(), resets.begin(), resets.end());
 }
 
 }  // namespace canvoy::conformance

@@ -93,8 +93,7 @@ Verdict judge_there(Bench& bench, const Ruled& ruled) {
     if (!must_be) continue;
     const Reply reply = bench.read(index, entry.sub_first);
     if (reply.is_absent() || reply.kind == Reply::Kind::silent) {
-      return failed(
-          fmt::format("{}: {}", text::object_text(index, entry.sub_first), reply.text()));
+      return failed(fmt::format("{}: {}", text::object_text(index, entry.sub_first), reply.text()));
     }
   }
   return passed();

@@ -1,7 +1,8 @@
 // One object of a profile as a rule for a device: what it must have, by its virtual device or by
 // the object itself, and the judges of its entries. profile_cases.cpp makes cases of them.
 //
-//     const Verdict verdict = judge_type(bench, {&cia419::profile, &cia419::battery_status_object});
+//     const Verdict verdict = judge_type(bench, {&cia419::profile,
+//     &cia419::battery_status_object});
 #pragma once
 
 #include <optional>

@@ -41,7 +41,8 @@ const FieldInfo* find_reserved_field(const EntryInfo& entry, std::span<const std
   for (const FieldInfo& field : entry.fields) {
     if (!decoder::is_active(entry, field, bytes)) continue;
     const Reading reading = read_field(entry, field, bytes);
-    const bool is_reserved = reading.named != nullptr && reading.named->meaning == Meaning::reserved;
+    const bool is_reserved =
+        reading.named != nullptr && reading.named->meaning == Meaning::reserved;
     if (is_reserved || reading.out_of_range) return &field;
   }
   return nullptr;
@@ -56,6 +57,12 @@ bool is_refusal_of_value(const Reply& reply) {
   return reply.has_aborted(AbortCode::value_range) ||
          reply.has_aborted(AbortCode::value_too_high) ||
          reply.has_aborted(AbortCode::value_too_low);
+}
+
+/// True if the entry is read in its length: another case judges what cannot be put back.
+bool is_as_typed(Bench& bench, std::uint16_t index, const EntryInfo& entry) {
+  const Reply reply = bench.read(index, entry.sub_first);
+  return reply && reply.value.size() == byte_length(entry.type);
 }
 
 /// Reason why nothing of the object is written; application objects need permission.
@@ -172,7 +179,7 @@ Verdict judge_range(Bench& bench, const Ruled& ruled) {
   const std::uint16_t index = ruled.index();
   std::size_t tried = 0;
   for (const EntryInfo& entry : ruled.object->entries()) {
-    if (!has_range(entry) || !bench.has(index, entry.sub_first)) continue;
+    if (!has_range(entry) || !is_as_typed(bench, index, entry)) continue;
     if (!allows(access_of_claim(claim, *ruled.object, entry), Access::rw)) continue;
     for (const std::int64_t beyond : numbers_beyond(entry)) {
       const Reply done = bench.set(index, entry.sub_first, static_cast<std::uint64_t>(beyond),
@@ -194,15 +201,15 @@ Verdict judge_sentinel(Bench& bench, const Ruled& ruled) {
   std::size_t tried = 0;
   for (const EntryInfo& entry : ruled.object->entries()) {
     const auto code = sentinel_of(entry);
-    if (!code || !bench.has(index, entry.sub_first)) continue;
+    if (!code || !is_as_typed(bench, index, entry)) continue;
     if (!allows(access_of_claim(claim, *ruled.object, entry), Access::rw)) continue;
     const Reply done = bench.set(index, entry.sub_first, static_cast<std::uint64_t>(*code),
                                  byte_length(entry.type));
     if (is_refusal_of_state(done)) continue;
     ++tried;
     if (done) continue;
-    const std::int64_t number = number_of(static_cast<std::uint64_t>(*code),
-                                          bit_length(entry.type), false);
+    const std::int64_t number =
+        number_of(static_cast<std::uint64_t>(*code), bit_length(entry.type), false);
     return failed(fmt::format("{} = {:X}h: {}", text::object_text(index, entry.sub_first), number,
                               done.text()));
   }

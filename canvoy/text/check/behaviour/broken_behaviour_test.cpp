@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "canvoy/text/check/testing/all_ways.hpp"
 #include "canvoy/text/check/testing/broken_device.hpp"
 
 namespace canvoy::conformance::broken_behaviour_test {
@@ -206,6 +207,53 @@ std::vector<BrokenDevice> charger_ways() {
           return true;
         }}},
       {"charger",
+       {"it counts more than the battery asks for",
+        {"419-charge-01", "419-charge-02", "419-charge-03", "419-charge-04", "419-charge-05"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6052)) {
+            store(&frame.data[4], static_cast<std::uint16_t>(++middle.count * 100));
+          }
+          return true;
+        }}},
+      {"charger",
+       {"it does not write back what was returned",
+        {"419-charge-06"},
+        [](Middle&, Frame& frame) {
+          const bool is_download = (frame.data[0] & 0xE0) == 0x20 && index_of(frame) == 0x6052;
+          return frame.id != can_id::sdo_request + node_id_max || !is_download;
+        }}},
+      {"charger",
+       {"its TPDOs have other COB-IDs than the RPDOs of the battery",
+        {"419-link-04", "419-status-01", "419-status-02"},
+        [](Middle& middle, Frame& frame) {
+          const bool is_tpdo = index_of(frame) >= 0x1800 && index_of(frame) <= 0x1802;
+          if (is_tpdo && is_upload(middle, frame, index_of(frame)) && frame.data[3] == 1) {
+            frame.data[4] ^= 1U;
+          }
+          return true;
+        }}},
+      {"charger",
+       {"it takes a state of charge beyond 100 %",
+        {"419-battery-10"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6081) && middle.count != 0) frame.data[4] = 0x65;
+          return true;
+        },
+        [](Middle& middle, Frame& frame) {
+          if (frame.id < can_id::sdo_response && frame.length == 3) {
+            middle.count = frame.data[2] == 0x65 ? 1 : 0;
+          }
+          return true;
+        }}},
+      {"charger",
+       {"it leaves operational whatever 1029h says",
+        {"419-loss-03"},
+        {},
+        [](Middle& middle, Frame& frame) {
+          if (is_download(middle, frame, 0x1029)) frame.data[4] = 0;
+          return true;
+        }}},
+      {"charger",
        {"its PDOs are valid without a battery",
         {"419-link-03", "419-link-05", "419-link-06"},
         [](Middle& middle, Frame& frame) {
@@ -216,11 +264,16 @@ std::vector<BrokenDevice> charger_ways() {
   };
 }
 
-TEST(BrokenBehaviour, IsFoundByTheCasesThatAreAboutIt) {
+std::vector<BrokenDevice> all_ways() {
   std::vector<BrokenDevice> all = lift_ways();
   for (auto&& ways : {car_and_bus_ways(), charger_ways()}) {
     all.insert(all.end(), ways.begin(), ways.end());
   }
+  return all;
+}
+
+TEST(BrokenBehaviour, IsFoundByTheCasesThatAreAboutIt) {
+  const std::vector<BrokenDevice> all = all_ways();
   EXPECT_GE(all.size(), 25U);
   for (const BrokenDevice& broken : all) expect_found(broken);
 }
@@ -239,3 +292,11 @@ TEST(BrokenBehaviour, OfADoorThatStandsStillIsSaid) {
 
 }  // namespace
 }  // namespace canvoy::conformance::broken_behaviour_test
+
+namespace canvoy::conformance {
+
+std::vector<BrokenDevice> behaviour_ways() {
+  return broken_behaviour_test::all_ways();
+}
+
+}  // namespace canvoy::conformance

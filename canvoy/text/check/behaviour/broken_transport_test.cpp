@@ -1,5 +1,6 @@
 // Devices of cars, of buses and of the panels of a lift with a deliberate defect: each defect is
 // found by the cases that concern it, and by no other.
+#include "canvoy/text/check/testing/all_ways.hpp"
 #include "canvoy/text/check/testing/broken_device.hpp"
 
 namespace canvoy::conformance::broken_transport_test {
@@ -191,3 +192,14 @@ TEST(BrokenTransport, IsFoundInLifts) {
 
 }  // namespace
 }  // namespace canvoy::conformance::broken_transport_test
+
+namespace canvoy::conformance {
+
+std::vector<BrokenDevice> transport_ways() {
+  using namespace broken_transport_test;  // NOLINT(google-build-using-namespace): its tables
+  std::vector<BrokenDevice> all = car_ways();
+  for (auto&& ways : {bus_ways(), lift_ways()}) all.insert(all.end(), ways.begin(), ways.end());
+  return all;
+}
+
+}  // namespace canvoy::conformance

@@ -321,8 +321,21 @@ std::optional<Verdict> begin_to_charge(Bench& bench, BatteryPartner& battery) {
   return not_applicable("6052h does not grow: no current flows");
 }
 
+/// It delivers no more than the battery asks for, and so counts no more: 40 A for the time of
+/// counting, in eighths of an ampere-hour, and one for the fraction at each end. A charger without
+/// a load counts nothing, and is not judged.
 Verdict judge_counts(Bench& bench, BatteryPartner& battery) {
-  return begin_to_charge(bench, battery).value_or(passed());
+  if (auto cannot = begin_to_charge(bench, battery)) return *cannot;
+  const auto before = bench.number(returned_index, 0);
+  bench.listen(counting);
+  const auto after = bench.number(returned_index, 0);
+  if (!before || !after) return failed("6052h is not read");
+  constexpr auto seconds = std::chrono::duration_cast<std::chrono::seconds>(counting).count();
+  constexpr double most = asked_ampere * static_cast<double>(seconds) / 3600 * 8 + 2;
+  const bool is_within = *after >= *before && *after - *before <= most;
+  return is_within ? passed()
+                   : failed(fmt::format("6052h goes from {} to {} in 30 s at {} A", *before, *after,
+                                        asked_ampere));
 }
 
 Verdict stands_still(Bench& bench) {
@@ -427,7 +440,7 @@ constexpr ChargerRow charger_rows[] = {
     {"419-loss-04", "CiA 419, 7.2.2", "without its battery it is not ready to deliver a charge",
      "ready by PDO; the battery falls silent", "6001h, bit 0 = 0", true, judge_alone},
     {"419-charge-01", "CiA 419, 7.2.4", "it counts what it delivers", "ready, 40 A by PDO",
-     "6052h grows in 30 s", true, judge_counts},
+     "6052h grows in 30 s, by no more than 40 A deliver", true, judge_counts},
     {"419-charge-02", "CiA 419, 7.2.1", "it stops where the battery is not ready any more",
      "ready, 40 A; not ready", "6052h stands still", true, judge_stop_not_ready},
     {"419-charge-03", "CiA 419, 7.2.6", "it stops where the battery asks for no current",

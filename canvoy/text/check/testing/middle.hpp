@@ -39,7 +39,15 @@ class Middle {
     device_.add(Frame::data_frame(id, bytes));
   }
 
+  void add_later(Duration delay, std::uint32_t id, std::initializer_list<std::uint8_t> bytes) {
+    device_.add_later(delay, Frame::data_frame(id, bytes));
+  }
   void repeat(const Frame& frame) { device_.add(frame); }
+  /// The present value of an entry of the device; 0: it has none.
+  std::uint64_t value(std::uint16_t index, std::uint8_t sub = 0) const {
+    Dictionary& dictionary = device_.device().dictionary();
+    return dictionary.find(index, sub) ? dictionary.number(index, sub) : 0;
+  }
 
   unsigned count = 0;
   Frame last_request{};      ///< sent to the device by SDO

@@ -51,6 +51,9 @@ class NodeOnLine {
   /// Adds a frame as if the device had sent it.
   void add(const Frame& frame) { queue_.push_back({now_, frame}); }
 
+  /// Like add(), after this time; of several, the earliest must be added first.
+  void add_later(Duration delay, const Frame& frame) { later_.push_back({now_ + delay, frame}); }
+
   /// Filters frames from the device; false: the frame is lost.
   std::function<bool(Frame&)> from_device = [](Frame&) { return true; };
   std::function<bool(Frame&)> to_device = [](Frame&) { return true; };
@@ -72,16 +75,24 @@ class NodeOnLine {
   }
   /// Runs until this time, or until a frame is available.
   void run_until(Time until) {
-    while (queue_.empty() && node_->deadline() <= until) {
-      now_ = std::max(now_, node_->deadline());
-      node_->advance(now_);
+    while (queue_.empty() && std::min(node_->deadline(), due_later()) <= until) {
+      now_ = std::max(now_, std::min(node_->deadline(), due_later()));
+      if (due_later() <= now_) {
+        queue_.push_back({now_, later_.front().frame});
+        later_.pop_front();
+      } else {
+        node_->advance(now_);
+      }
     }
     if (queue_.empty()) now_ = std::max(now_, until);
   }
 
+  Time due_later() const { return later_.empty() ? Time::max() : later_.front().time; }
+
   Node* node_ = nullptr;
   Time now_{};
   std::deque<Heard> queue_;
+  std::deque<Heard> later_;
 };
 
 }  // namespace canvoy::conformance
