@@ -172,6 +172,14 @@ Time RealBuses::reach(Time) {
   return {};
 }
 
+std::string RealBuses::trouble() const {
+  return {};
+}
+
+std::uint64_t RealBuses::frames_lost() {
+  return 0;
+}
+
 host::BusAddress real_bus(std::string_view) {
   refuse("a browser has no real buses");
 }

@@ -34,6 +34,28 @@ SHEET = (
 )
 
 
+OWN_SHEET = """[2000]
+ParameterName=Pump speed
+DataType=6
+AccessType=rw
+DefaultValue=100
+[2010]
+ParameterName=Motor
+ObjectType=9
+SubNumber=2
+[2010sub0]
+ParameterName=Entries
+DataType=5
+AccessType=ro
+DefaultValue=1
+[2010sub1]
+ParameterName=Current
+DataType=3
+AccessType=ro
+DefaultValue=-7
+"""
+
+
 class ReadWrite(CommandTest):
     @classmethod
     def setUpClass(cls):
@@ -72,6 +94,25 @@ class ReadWrite(CommandTest):
         self.assert_done(run("write", BUS, "9", "6010", "5", "--type", "i16"))
         self.assertEqual(self.read("6010", "--type", "i16"), "5")
         self.assert_done(run("write", BUS, "9", "6010", "hex:FE FF"))
+
+    def test_the_data_sheet_of_a_node_has_names_and_types_of_its_own(self):
+        sheet = self.folder / "own.eds"
+        sheet.write_text(OWN_SHEET)
+        self.start(sheet, "31", "2000")
+
+        def done(verb, *arguments):
+            return self.assert_done(run(verb, BUS, "31", *arguments, "--eds", sheet)).rstrip("\n")
+
+        self.assertEqual(done("read", "pump_speed"), "100")
+        self.assertEqual(done("read", "Motor:Current"), "-7")
+        self.assertEqual(done("write", "2000", "250"), "Pump speed: 100 -> 250")
+        self.assertIn("PASS node 31 (1Fh): Pump speed = 250", done("expect", "pump_speed = 250"))
+        self.assert_refused(run("write", BUS, "31", "pump_speed", "65536", "--eds", sheet), USAGE, "65535")
+        self.assert_refused(run("read", BUS, "31", "pump_sped", "--eds", sheet), USAGE, "the data sheet", "did you mean 'Pump speed'?")
+        self.assert_refused(run("read", BUS, "31", "2000", "--eds", sheet, "--profile", "419"), USAGE, "--profile", "--eds")
+        self.assert_refused(run("read", BUS, "31", "2000", "--eds", self.folder / "none.eds"), FAILED, "none.eds")
+        script = run("script", BUS, "-", input=f"expect 31 Motor:Current = -7 --eds {sheet}\n")
+        self.assertIn("1 of 1 lines passed", self.assert_done(script))
 
     def test_a_value_is_read_as_the_type_that_is_said(self):
         self.assertEqual(self.read("2000", "--type", "u16"), "4660")

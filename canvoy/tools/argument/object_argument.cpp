@@ -129,6 +129,13 @@ void keep_those_of_node(std::vector<ObjectAddress>& found, const HasObject& has)
                                hidden == 0 ? "" : fmt::format("; or {} more", hidden)));
 }
 
+/// ` of CiA 418 or CiA 301`
+std::string sources_of(const Profile* known) {
+  if (known == nullptr) return {};
+  const bool is_of_sheet = std::ranges::find(all_profiles(), known) == all_profiles().end();
+  return fmt::format(" of {} or CiA 301", is_of_sheet ? "the data sheet" : known->name);
+}
+
 [[noreturn]] void refuse_unknown(std::string_view text, const Profile* known) {
   std::vector<std::string> names;
   for (const Profile* profile : profiles_for(known)) {
@@ -139,8 +146,7 @@ void keep_those_of_node(std::vector<ObjectAddress>& found, const HasObject& has)
   }
   throw UsageError(fmt::format(
       "'{}' is no object{}: give an index as 6010 or 1018:4, or a name of the profile{}", text,
-      known == nullptr ? "" : fmt::format(" of {} or CiA 301", known->name),
-      did_you_mean(text, names)));
+      sources_of(known), did_you_mean(text, names)));
 }
 
 /// Index and sub-index of a text printed with both: `6010h:00h temperature` in decoded logs,
@@ -173,13 +179,15 @@ std::optional<ObjectAddress> find_whole(std::string_view given, const Profile* k
   return std::nullopt;
 }
 
-const Profile* known_profile(unsigned profile) {
-  return profile == 0 ? nullptr : find_profile(profile);
+const Profile* known_profile(const ProfileChoice& profile) {
+  if (profile.sheet != nullptr) return profile.sheet;
+  return profile.number == 0 ? nullptr : find_profile(profile.number);
 }
 
 }  // namespace
 
-ObjectAddress parse_object(std::string_view text, unsigned profile, const HasObject& has) {
+ObjectAddress parse_object(std::string_view text, const ProfileChoice& profile,
+                           const HasObject& has) {
   const Profile* const known = known_profile(profile);
   if (const auto address = find_whole(text, known)) return *address;
   std::vector<ObjectAddress> found = find_parts(known, text);
@@ -189,9 +197,9 @@ ObjectAddress parse_object(std::string_view text, unsigned profile, const HasObj
   return found.front();
 }
 
-void check_object(std::string_view text, unsigned profile) {
-  if (profile != 0 && find_profile(profile) == nullptr) {
-    throw UsageError(fmt::format("CiA {} is no profile that is known here", profile));
+void check_object(std::string_view text, const ProfileChoice& profile) {
+  if (profile.number != 0 && find_profile(profile.number) == nullptr) {
+    throw UsageError(fmt::format("CiA {} is no profile that is known here", profile.number));
   }
   const Profile* const known = known_profile(profile);
   if (!find_whole(text, known) && find_parts(known, text).empty()) refuse_unknown(text, known);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "canvoy/decoder/sheet_profile.hpp"
+#include "canvoy/formats/eds/eds_reader.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::object_argument_test {
@@ -63,6 +65,27 @@ TEST(ObjectArgument, ThePartnersNameStandsForTheSameValue) {  // CiA 419, 6010h;
   EXPECT_EQ(place_of("temperature", 419), "6010:00");
   EXPECT_THAT(complaint_of("water_level_status", 419), HasSubstr("CiA 419"))
       << "the charger has no such value";
+}
+
+TEST(ObjectArgument, ADataSheetHasNamesOfItsOwn) {
+  formats::Findings findings;
+  const decoder::SheetProfile sheet(
+      formats::read_eds("[2000]\nParameterName=Pump speed\nDataType=6\nAccessType=rw\n"
+                        "[2010]\nParameterName=Motor\nObjectType=9\nSubNumber=2\n"
+                        "[2010sub0]\nParameterName=Entries\nDataType=5\nAccessType=ro\n"
+                        "[2010sub1]\nParameterName=Current\nDataType=3\nAccessType=ro\n",
+                        findings));
+  const ProfileChoice known(sheet.profile());
+  const ObjectAddress speed = parse_object("pump_speed", known);
+  EXPECT_EQ(speed.index, 0x2000);
+  ASSERT_NE(speed.entry, nullptr);
+  EXPECT_EQ(speed.entry->type, DataType::unsigned16);  // 0006h (CiA 301, 7.4.1)
+  const ObjectAddress current = parse_object("Motor:Current", known);
+  EXPECT_EQ(current.index, 0x2010);
+  EXPECT_EQ(current.sub, 1);
+  EXPECT_EQ(parse_object("1017", known).index, 0x1017) << "what a sheet does not have, CiA 301 has";
+  EXPECT_THROW(check_object("pump_sped", known), UsageError);
+  EXPECT_NO_THROW(check_object("speed", known)) << "a part of a name";
 }
 
 TEST(ObjectArgument, AMisspeltNameIsAnsweredWithAKnownOne) {

@@ -2,6 +2,8 @@
 
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
 
 namespace canvoy::tools {
 
@@ -35,8 +37,23 @@ void AskOptions::add_time_out(Verb& command) {
 
 void AskOptions::add_profile(Verb& command) {
   command.add_taken(
-      "--profile", [this](const std::string& text) { profile = parse_profile(text).number; },
+      "--profile", [this](const std::string& text) { describe(parse_profile(text).number); },
       "419, 417-4 (default: what the node's 1000h says)");
+  command.add_taken(
+      "--eds",
+      [this](const std::string& path) {
+        formats::Findings findings;
+        sheet = std::make_shared<decoder::SheetProfile>(read_sheet_file(path, findings));
+        describe(ProfileChoice(sheet->profile()));
+      },
+      "its data sheet (EDS, DCF, XDD, XDC), with the names and types of its own objects");
+}
+
+void AskOptions::describe(const ProfileChoice& chosen) {
+  if (profile.number != 0 || profile.sheet != nullptr) {
+    throw UsageError("give either --profile or --eds, once");
+  }
+  profile = chosen;
 }
 
 void AskOptions::add_json(Verb& command) {

@@ -6,10 +6,13 @@
 //     options->add_time_out(command);
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/tools/argument/answer_time.hpp"
+#include "canvoy/tools/argument/object_argument.hpp"
 #include "canvoy/tools/argument/remote_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/verb_help.hpp"
@@ -21,7 +24,8 @@ struct AskOptions {
   std::string bus = {};
   std::string node = {};
   std::string time_out = {};
-  unsigned profile = 0;
+  ProfileChoice profile = {};
+  std::shared_ptr<const decoder::SheetProfile> sheet = {};  ///< of --eds, in `profile`
   bool json = false;
   bool takes_remote = false;  ///< also accepts nodes of a network behind another node
   RemoteOptions remote = {};
@@ -31,6 +35,7 @@ struct AskOptions {
   /// Adds a node that may be in a network behind another one, as 2:7.
   void add_any_node(Verb& command);
   void add_time_out(Verb& command);
+  /// `--profile`, or `--eds`.
   void add_profile(Verb& command);
   void add_json(Verb& command);
 
@@ -41,6 +46,7 @@ struct AskOptions {
   Session& open(Sessions& sessions) const;
 
  private:
+  void describe(const ProfileChoice& chosen);
   RemotePlace place() const;
 };
 

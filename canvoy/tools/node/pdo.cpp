@@ -84,7 +84,7 @@ std::vector<WantedValue> parse_wanted(const PdoOptions& options) {
 /// The PDO as mapped in the node, and the values to put in.
 class HandmadePdo {
  public:
-  HandmadePdo(Session& session, NodeId node, const PdoName& name, unsigned profile)
+  HandmadePdo(Session& session, NodeId node, const PdoName& name, const ProfileChoice& profile)
       : session_(session), node_(node), name_(name), profile_(profile) {
     const CobId cob_id{static_cast<std::uint32_t>(number(name.parameter(), 1))};
     if (!cob_id.valid()) {
@@ -186,7 +186,7 @@ class HandmadePdo {
   Session& session_;
   NodeId node_;
   PdoName name_;
-  unsigned profile_;
+  ProfileChoice profile_;
   std::uint32_t can_id_ = 0;
   unsigned bits_ = 0;
   std::deque<Part> parts_;

@@ -10,14 +10,14 @@
 
 namespace canvoy::tools {
 
-RemoteObject::RemoteObject(Session& session, NodeId node, std::string_view text, unsigned profile,
-                           std::string_view type)
+RemoteObject::RemoteObject(Session& session, NodeId node, std::string_view text,
+                           const ProfileChoice& profile, std::string_view type)
     : network_(session.network()),
       node_(node),
       address_(find_object_of(session, node, text, profile)),
       type_name_(type) {
   if (type.empty()) {
-    known_.emplace(session, node, address_);
+    known_.emplace(session, node, address_, profile);
   } else {
     typed_ = EntryInfo{.type = parse_type_argument(type)};
   }

@@ -19,7 +19,7 @@ namespace canvoy::tools {
 /// such object or type.
 class RemoteObject {
  public:
-  RemoteObject(Session& session, NodeId node, std::string_view text, unsigned profile,
+  RemoteObject(Session& session, NodeId node, std::string_view text, const ProfileChoice& profile,
                std::string_view type = {});
 
   NodeId node() const { return node_; }

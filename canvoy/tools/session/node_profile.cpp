@@ -8,7 +8,6 @@
 #include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/text/object_words.hpp"
 #include "canvoy/text/text.hpp"
-#include "canvoy/tools/argument/object_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
@@ -41,13 +40,14 @@ unsigned profile_of_node(Session& session, NodeId node) {
 }
 
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
-                             unsigned profile) {
+                             const ProfileChoice& profile) {
   const HasObject has = [&session, node](std::uint16_t index, std::uint8_t sub) {
     const Result<std::vector<std::uint8_t>> answer = session.try_read(node, index, sub);
     return answer ||
            (answer.abort() != AbortCode::no_object && answer.abort() != AbortCode::no_sub_index);
   };
-  if (profile != 0 || !needs_profile(object)) return parse_object(object, profile, has);
+  const bool is_known = profile.sheet != nullptr || profile.number != 0;
+  if (is_known || !needs_profile(object)) return parse_object(object, profile, has);
   const Result<std::vector<std::uint8_t>> answer =
       session.try_read(node, object_index::device_type, 0);
   if (!answer) {
@@ -72,7 +72,8 @@ std::string printed_name(const ObjectAddress& object) {
   return text::object_name_text(value);
 }
 
-NodeEntry::NodeEntry(Session& session, NodeId node, const ObjectAddress& object)
+NodeEntry::NodeEntry(Session& session, NodeId node, const ObjectAddress& object,
+                     const ProfileChoice& profile)
     : entry_(object.entry) {
   if (entry_ == nullptr) return;
   const decoder::UnitSource teller =
@@ -81,8 +82,9 @@ NodeEntry::NodeEntry(Session& session, NodeId node, const ObjectAddress& object)
   const Result<std::vector<std::uint8_t>> held = session.try_read(node, teller.index, teller.sub);
   if (!held || held->empty() || held->size() > sizeof(std::uint64_t)) return;
   told_ = std::make_unique<decoder::EntryWithUnit>(
-      *entry_,
-      decoder::measure_by_source(profile_of(*object.object), *entry_, load_unsigned(*held)));
+      *entry_, decoder::measure_by_source(
+                   profile.sheet == nullptr ? profile_of(*object.object) : *profile.sheet, *entry_,
+                   load_unsigned(*held)));
 }
 
 }  // namespace canvoy::tools

@@ -8,6 +8,7 @@
 
 #include "canvoy/decoder/unit_source.hpp"
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/argument/object_argument.hpp"
 #include "canvoy/tools/session/session.hpp"
 
 namespace canvoy::tools {
@@ -16,11 +17,11 @@ namespace canvoy::tools {
 /// it is unknown.
 unsigned profile_of_node(Session& session, NodeId node);
 
-/// The object in the profile with this number; 0: in that of the device type (1000h) of the node.
-/// If the node refuses to give it, an index is accepted, without its type; a name throws Failure.
-/// Throws UsageError if there is no such object.
+/// The object in the data sheet or the profile with this number; if neither is known: in that of
+/// the device type (1000h) of the node. If the node refuses to give it, an index is accepted,
+/// without its type; a name throws Failure. Throws UsageError if there is no such object.
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
-                             unsigned profile);
+                             const ProfileChoice& profile);
 
 /// Name as printed by the profile, with its numbers: `Identity object, Vendor-ID`; `6010h:00h` if
 /// unknown.
@@ -30,7 +31,8 @@ std::string printed_name(const ObjectAddress& object);
 /// which is requested. As in the profile if the node does not give it; null if no profile has it.
 class NodeEntry {
  public:
-  NodeEntry(Session& session, NodeId node, const ObjectAddress& object);
+  NodeEntry(Session& session, NodeId node, const ObjectAddress& object,
+            const ProfileChoice& profile);
   const EntryInfo* get() const { return told_ == nullptr ? entry_ : &told_->entry(); }
 
  private:
