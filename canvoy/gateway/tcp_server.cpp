@@ -249,11 +249,12 @@ void TcpServer::sweep() {
   if (sweeping_ != 0) loop_.cancel(std::exchange(sweeping_, 0));
   // The cancellations of a closed connection let others continue, which need all connections in
   // their places.
-  const auto dead = std::ranges::stable_partition(
-      connections_, [](const auto& connection) { return !connection->is_dead(); });
-  const std::vector<std::unique_ptr<Connection>> gone(std::make_move_iterator(dead.begin()),
-                                                      std::make_move_iterator(dead.end()));
-  connections_.erase(dead.begin(), dead.end());
+  const auto dead =
+      std::stable_partition(connections_.begin(), connections_.end(),
+                            [](const auto& connection) { return !connection->is_dead(); });
+  const std::vector<std::unique_ptr<Connection>> gone(std::make_move_iterator(dead),
+                                                      std::make_move_iterator(connections_.end()));
+  connections_.erase(dead, connections_.end());
 }
 
 }  // namespace canvoy::gateway

@@ -189,8 +189,10 @@ std::span<MpdoProducer::Message>::iterator MpdoProducer::first_of(std::uint16_t 
 }
 
 void MpdoProducer::forget(std::uint16_t number) {
-  const auto rest = std::ranges::remove(queue_.first(queued_), number, &Message::number);
-  queued_ -= rest.size();
+  const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(queued_);
+  const auto kept_end = std::remove_if(
+      queue_.begin(), end, [number](const Message& each) { return each.number == number; });
+  queued_ = static_cast<std::size_t>(kept_end - queue_.begin());
 }
 
 void MpdoProducer::watch(MpdoMode mode, std::uint32_t watchers) {
