@@ -77,11 +77,20 @@ void report_verdict(const ExpectOptions& options, const RemoteObject& object,
   fmt::print("{}\n", line);
 }
 
+Expectation expectation_of(const ExpectOptions& options) {
+  return parse_expectation(fmt::format("{}", fmt::join(options.words, " ")));
+}
+
+/// What can be known of a line of a script before the first one is run.
+void check_expecting(const ExpectOptions& options) {
+  options.node_id();
+  check_object(expectation_of(options).object, options.profile);
+  if (!options.interval.empty()) parse_duration_argument(options.interval);
+}
+
 int expect_value(const ExpectOptions& options, Sessions& sessions) {
   const NodeId node = options.node_id();
-  const Expectation expected = parse_expectation(fmt::format("{}", fmt::join(options.words, " ")));
-  check_object(expected.object, options.profile);
-  if (!options.interval.empty()) parse_duration_argument(options.interval);
+  const Expectation expected = expectation_of(options);
   Session& session = options.open(sessions);
   const RemoteObject object(session, node, expected.object, options.profile, options.type);
   const Verdict verdict = judge(options, expected, object, session);
@@ -191,6 +200,7 @@ void add_expect(Verb& app, Sessions& sessions) {
       "  canvoy expect can0 10 'battery_voltage < 60 V' --json\n"
       "  canvoy expect can0 10 'temperature in 15..30degC'\n"
       "  canvoy expect can0 10 'temperature < 60degC for 300ms' --every 100ms");
+  command.when_parsed([options] { check_expecting(*options); });
   command.runs([options, &sessions] { return expect_value(*options, sessions); });
 }
 

@@ -31,7 +31,9 @@ struct ReadObjectsOptions : AskOptions {
 
 constexpr Duration watch_usual = 1s;
 
+/// What can be known of a line of a script before the first one is run.
 void check_reading(const ReadObjectsOptions& options) {
+  options.node_id();
   for (const std::string& object : options.objects) check_object(object, options.profile);
   if (!options.type.empty()) parse_type_argument(options.type);
   if (!options.out.empty() && options.objects.size() > 1) {
@@ -152,8 +154,6 @@ void write_out(const ReadObjectsOptions& options, Session& session) {
 }
 
 int read_objects(const ReadObjectsOptions& options, Sessions& sessions) {
-  options.node_id();
-  check_reading(options);
   const Duration interval = parse_duration_argument(options.watch.value_or(""), watch_usual);
   const Duration length = parse_duration_argument(options.duration, Duration::max());
   Session& session = options.open(sessions);
@@ -208,6 +208,7 @@ void add_read(Verb& app, Sessions& sessions) {
       "  canvoy read can0 0Ah temperature battery_voltage --watch 200ms --for 1s\n"
       "  canvoy read can0 10 1017 --type u16 --timeout 500ms\n"
       "  canvoy read udp:239.74.163.2:43113 10 1008 --out name.txt");
+  command.when_parsed([options] { check_reading(*options); });
   command.runs([options, &sessions] { return read_objects(*options, sessions); });
 }
 

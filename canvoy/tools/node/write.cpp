@@ -114,17 +114,21 @@ int write_file(const WriteOptions& options, Sessions& sessions) {
   return exit_done;
 }
 
-int write_object(const WriteOptions& options, Sessions& sessions) {
-  const NodeId node = options.node_id();
+/// What can be known of a line of a script before the first one is run.
+void check_writing(const WriteOptions& options) {
+  options.node_id();
   check_object(options.object, options.profile);
   if (options.value.has_value() != options.file.empty()) {
     throw UsageError("give a value, or --file with the bytes");
   }
-  if (!options.type.empty()) parse_type_argument(options.type);
+  if (options.type.empty()) return;
+  const EntryInfo typed{.type = parse_type_argument(options.type)};
+  if (options.file.empty()) parse_value(typed, options.value.value_or(""));
+}
+
+int write_object(const WriteOptions& options, Sessions& sessions) {
   if (!options.file.empty()) return write_file(options, sessions);
-  if (!options.type.empty()) {
-    parse_value(EntryInfo{.type = parse_type_argument(options.type)}, options.value.value_or(""));
-  }
+  const NodeId node = options.node_id();
   Session& session = options.open(sessions);
   const RemoteObject object(session, node, options.object, options.profile, options.type);
   // Invalid values are refused before the node is accessed.
@@ -168,6 +172,7 @@ void add_write(Verb& app, Sessions& sessions) {
       "  canvoy write can0 10 1017 1s --json\n"
       "  canvoy write can0 5 battery_temperature '21.5 degC'\n"
       "  canvoy write can0 10 1017 0x1F4 --type u16 --blind");
+  command.when_parsed([options] { check_writing(*options); });
   command.runs([options, &sessions] { return write_object(*options, sessions); });
 }
 
