@@ -402,15 +402,15 @@ const Sabotage of_strangers[] = {
                                      .data = cia417::output_data(true)}));
        });
      }},
-    {"ADriveWhoseHeartbeatIsSwitchedOff", InvariantKind::lift_serves, 1, [](Description&) {},
+    {"ACarPanelThatIsStopped", InvariantKind::call_acknowledged, 0, [](Description&) {},
      [] {
-       return once_when(stands_empty, [](Scene& it) {
-         it.send(Frame::data_frame(0x600 + node_id::drive, {0x2B, 0x17, 0x10, 0, 0, 0, 0, 0}));
+       return always_from(Time(1min), [](Scene& it) {
+         it.send(Frame::data_frame(0, {0x02, node_id::first_car_panel}));
        });
      }},
-    {"AnErrorThatTheDriveHasNotReported", InvariantKind::acceleration, 1, [](Description&) {},
+    {"AnErrorThatTheDriveHasNotReported", InvariantKind::lift_serves, 1, [](Description&) {},
      [] {
-       return once_when(is_fast_with_people, [](Scene& it) {
+       return always_from(Time(1min), [](Scene& it) {
          it.send(Frame::data_frame(0x080 + node_id::drive, {0x00, 0x54, 0x01, 0, 0, 0, 0, 0}));
        });
      }},
