@@ -176,7 +176,7 @@ GapRun bus_gap(std::uint64_t seed) {
   options.faults.seed = seed;
   options.length = 45min;
   constexpr Duration times[] = {1200ms, 2500ms};
-  const NodeId node = one_of(device_places, random).id;
+  const NodeId node = one_of(places_of(options.design.cars), random).id;
   return run_gap<BusNetwork>(options, {options.length, times}, gap_kinds<FaultKind>,
                              bus_line::ScheduledFault{.node = node}, random);
 }

@@ -112,7 +112,7 @@ BusTable vehicle_table(const std::string& folder) {
       "vehicle",
       "",
       {setting<network, &BusNetworkOptions::design, &bus_line::BusDesign::cars>(
-           "cars", "one of them has no gateway and no second bus", {{1, 2}}),
+           "cars", "one of them has no gateway and no second bus", {{1, bus_line::cars_max}}),
        bus_capacity(), bus_doors(), std::move(late).as_example("\"3min\""), std::move(red_lights),
        counts_row<&BusRun::delays>("delays", "by how much it arrives late, as measured",
                                    "\"delays.csv\"")},
@@ -149,15 +149,17 @@ BusTable passenger_table(const std::string& folder) {
 /// The CAN-ID of a message.
 template <std::uint32_t bus_line::MessageIds::*id>
 BusRow can_id_of(std::string key, std::string help) {
-  return {
-      .key = key,
-      .takes = "a CAN-ID, as `0x18B`",
-      .help = std::move(help),
-      .take =
-          [key](TomlTable& table, BusRun& run) {
-            table.take(key, run.network.design.ids.*id, {1, Frame::id_max});
-          },
-      .value = [](const BusRun& run) { return fmt::format("0x{:X}", run.network.design.ids.*id); }};
+  return {.key = key,
+          .takes = "a CAN-ID, as `0x18B`",
+          .help = std::move(help),
+          .take =
+              [key](TomlTable& table, BusRun& run) {
+                table.take(key, run.network.design.ids.*id, {1, Frame::id_max});
+              },
+          .value =
+              [](const BusRun& run) {
+                return fmt::format("0x{:X}", message_ids(run.network.design).*id);
+              }};
 }
 
 BusTable message_table() {
@@ -225,15 +227,43 @@ std::vector<BusRow> display_size(NodeId id) {
           side("lines", display_lines_max, &BusDisplay::Size::lines)};
 }
 
-BusTable device_table(const bus_line::DevicePlace& place) {
-  BusTable table{
-      std::string(place.name),
-      fmt::format("node {}", place.id),
-      {played<BusRun>(place.id, place.id == bus_line::computer_id), heartbeat_of(place.id)}};
+/// `id`, which is written where it is not the usual one.
+BusRow node_id_of(const bus_line::DevicePlace& place) {
+  return {.key = "id",
+          .takes = fmt::format("a whole number from 1 to {}", node_id_max),
+          .help = fmt::format("its node-ID; without it {}", place.id),
+          .take =
+              [key = place.id](TomlTable& table, BusRun& run) {
+                NodeId id = key;
+                table.take("id", id, {node_id_min, node_id_max});
+                if (id != key) run.network.design.node_ids[key] = id;
+              },
+          .value =
+              [key = place.id](const BusRun& run) {
+                const NodeId id = id_of(run.network.design, key);
+                return id == key ? "" : fmt::format("{}", id);
+              }};
+}
+
+/// The table of a device, which has this node-ID.
+BusTable device_table(const bus_line::DevicePlace& place, NodeId id) {
+  BusTable table{std::string(place.name),
+                 fmt::format("node {}", id),
+                 {node_id_of(place), played<BusRun>(place.id, place.id == bus_line::computer_id),
+                  heartbeat_of(place.id)}};
   if (std::ranges::find(bus_line::display_ids, place.id) != bus_line::display_ids.end()) {
     for (BusRow& row : display_size(place.id)) table.settings.push_back(std::move(row));
   }
   return table;
+}
+
+FilePart<BusRun> device_part(const bus_line::DevicePlace& place) {
+  FilePart<BusRun> part(device_table(place, place.id));
+  part.text = [place](const BusRun& run) {
+    const NodeId id = id_of(run.network.design, place.id);
+    return settings_text(device_table(place, id), run);
+  };
+  return part_of_car(place.car, std::move(part));
 }
 
 FilePart<BusRun> added_devices() {
@@ -250,7 +280,8 @@ FilePart<BusRun> added_devices() {
             "device",
             "rides along",
             {setting<&AddedDevice::kind>("kind", "of CiA 407: canvoy device --list"),
-             std::move(node), setting<&AddedDevice::car>("car", "", {{1, 2}}), std::move(door)}};
+             std::move(node), setting<&AddedDevice::car>("car", "", {{1, bus_line::cars_max}}),
+             std::move(door)}};
       },
       [](const BusRun& run) { return run.network.design.added; },
       [](const TomlTable& table, BusRun& run, AddedDevice device) {
@@ -263,13 +294,21 @@ FilePart<BusRun> added_devices() {
 
 }  // namespace
 
+FilePart<BusRun> part_of_car(unsigned car, FilePart<BusRun> part) {
+  if (car <= bus_line::cars_made(1)) return part;
+  part.text = [text = std::move(part.text), car](const BusRun& run) {
+    return car <= run.network.design.cars ? text(run) : "";
+  };
+  return part;
+}
+
 void add_bus_settings(std::vector<FilePart<BusRun>>& parts, const std::string& folder) {
   add_line_changes(parts);
   parts.emplace_back(vehicle_table(folder));
   parts.emplace_back(passenger_table(folder));
   parts.emplace_back(message_table());
   for (const bus_line::DevicePlace& place : bus_line::device_places)
-    parts.emplace_back(device_table(place));
+    parts.push_back(device_part(place));
   parts.push_back(added_devices());
 }
 

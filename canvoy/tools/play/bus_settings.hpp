@@ -30,6 +30,8 @@ struct BusRun : WorldRun {
   std::vector<bus_line::Detour> detours{};
 };
 
+/// A table of a car: those of the third and fourth are written where the bus has that car.
+FilePart<BusRun> part_of_car(unsigned car, FilePart<BusRun> part);
 /// Adds `[[short_turn]]`, `[[detour]]`, `[depot]` and `[[driver]]`. The line must be read before.
 /// The depot comes last of those that change the line: its journeys are beside all others.
 void add_line_changes(std::vector<FilePart<BusRun>>& parts);

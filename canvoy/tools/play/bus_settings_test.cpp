@@ -50,6 +50,63 @@ TEST(BusSettings, AFleetsBusIsWrittenDown) {
   EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
 }
 
+TEST(BusSettings, ATrainOfFourCarsIsWrittenDown) {
+  const std::string lines =
+      "[vehicle]\ncars = 4\n[third-gateway]\nheartbeat = \"250ms\"\n"
+      "[fourth-next-stop]\ncolumns = 30\n[[device]]\nkind = \"generic-io\"\nnode = 60\ncar = 4\n";
+  const std::string text = whole(lines);
+  EXPECT_TRUE(has(text, "\ncars = 4")) << text;
+  EXPECT_TRUE(has(text, "\n[third_bus]"));
+  EXPECT_TRUE(has(text, "\n[third-gateway]  # node 41\nplayed = true\nheartbeat = \"250ms\"\n"));
+  EXPECT_TRUE(has(text, "\n[fourth-next-stop]  # node 55\n"));
+  EXPECT_TRUE(has(text, "\ncar = 4"));
+  EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
+  EXPECT_FALSE(has(whole("[vehicle]\ncars = 3\n"), "fourth"));
+  EXPECT_FALSE(has(whole(""), "third"));
+  EXPECT_EQ(whole("[third-announcer]\nplayed = true\n"),
+            "bus.toml line 2: third-announcer: the bus has 2 cars");
+  EXPECT_EQ(whole("[fourth_bus]\nreal = \"can3\"\n[vehicle]\ncars = 3\n"),
+            "bus.toml line 2: fourth_bus: the bus has 3 cars");
+  EXPECT_EQ(whole("[vehicle]\ncars = 5\n"), "bus.toml line 3: cars: 5 is not from 1 to 4");
+  EXPECT_EQ(whole("[vehicle]\ncars = 3\n[[device]]\nkind = \"generic-io\"\nnode = 60\ncar = 4\n"),
+            "bus.toml line 4: the bus has 3 cars");
+  EXPECT_EQ(whole("[vehicle]\ncars = 3\n[[device]]\nkind = \"generic-io\"\nnode = 41\n"),
+            "bus.toml line 4: node 41 is there already");
+  EXPECT_FALSE(has(whole("[[device]]\nkind = \"generic-io\"\nnode = 41\n"), "already"));
+  EXPECT_TRUE(has(whole("[vehicle]\ncars = 3\n[third-next-stop]\nplayed = false\n"),
+                  "write real = \"can2\" in [third_bus]"));
+  EXPECT_EQ(whole("faults = [\"lost-node:node=41@10min\"]\n"),
+            "bus.toml line 2: faults: fault 'lost-node:node=41@10min': there are nodes 1, 2, 4, 5, "
+            "6, 7, 8, 9, 10, 11, 12, 13, 16, 20, 21, 22, 30, 31, 34, 35, 39");
+  EXPECT_TRUE(has(whole("faults = [\"lost-node:node=41@10min\"]\n[vehicle]\ncars = 3\n"),
+                  "lost-node:node=41@10min"));
+}
+
+TEST(BusSettings, NodeIdsAreWrittenDown) {
+  const std::string text = whole(
+      "[next-stop]\nid = 15\n[vehicle-gateway]\nid = 17\n[ticket-canceller]\nid = 6\n"
+      "[[device]]\nkind = \"generic-io\"\nnode = 5\n");
+  EXPECT_TRUE(has(text, "\n[next-stop]  # node 15\nid = 15  # its node-ID; without it 5\n"))
+      << text;
+  EXPECT_TRUE(has(text, "\nmotion = 0x191"));
+  EXPECT_TRUE(has(text, "\n[ticket-canceller]  # node 6\nplayed = true\n"));
+  EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
+  EXPECT_TRUE(
+      has(whole("[messages]\nmotion = 0x18B\n[vehicle-gateway]\nid = 17\n"), "\nmotion = 0x18B"));
+  EXPECT_EQ(whole("[next-stop]\nid = 128\n"), "bus.toml line 3: id: 128 is not from 1 to 127");
+  EXPECT_EQ(whole("[next-stop]\nid = 0\n"), "bus.toml line 3: id: 0 is not from 1 to 127");
+  EXPECT_EQ(whole("[announcer]\nheartbeat = \"1s\"\n[next-stop]\nid = 6\n"),
+            "bus.toml line 4: next-stop: id: node 6 is ticket-canceller too");
+  EXPECT_EQ(whole("[next-stop]\nid = 50\n[[device]]\nkind = \"generic-io\"\nnode = 50\n"),
+            "bus.toml line 4: node 50 is there already");
+  EXPECT_TRUE(has(whole("[messages]\nmotion = 0x18F\n[next-stop]\nid = 15\n"),
+                  "18Fh is of a TPDO of node 15"));
+  EXPECT_TRUE(has(whole("faults = [\"lost-node:node=15@10min\"]\n[next-stop]\nid = 15\n"),
+                  "lost-node:node=15@10min"));
+  EXPECT_TRUE(has(whole("faults = [\"lost-node:node=5@10min\"]\n[next-stop]\nid = 15\n"),
+                  "there are nodes 1, 2, 4, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 20"));
+}
+
 TEST(BusSettings, ADispatchersDayIsWrittenDown) {
   const std::string text = whole(
       "[[short_turn]]\njourney = 1\nstop = \"School\"\n"

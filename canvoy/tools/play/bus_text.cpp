@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,13 @@ std::string_view how_text(bus_line::StopReached::How how) {
   return how == How::leaves ? "leaves" : "goes past";
 }
 
+/// ` of the third car`; empty: of the first one.
+std::string of_car(unsigned car) {
+  constexpr std::array<std::string_view, bus_line::cars_max + 1> numbers = {"", "", "second",
+                                                                            "third", "fourth"};
+  return car == 1 ? "" : fmt::format(" of the {} car", numbers.at(car));
+}
+
 class BusTeller : public WorldTeller<BusNames> {
  public:
   using WorldTeller::WorldTeller;
@@ -73,16 +81,14 @@ class BusTeller : public WorldTeller<BusNames> {
             {{"event", "display"}, {"node", event.node}, {"text", event.text}}};
   }
   Told operator()(const bus_line::Announced& event) const {
-    return {
-        fmt::format("loudspeakers{}: {}", event.car == 1 ? "" : " of the second car", event.stop),
-        {{"event", "announcement"},
-         {"stop_point", event.stop_point},
-         {"stop", event.stop},
-         {"car", event.car}}};
+    return {fmt::format("loudspeakers{}: {}", of_car(event.car), event.stop),
+            {{"event", "announcement"},
+             {"stop_point", event.stop_point},
+             {"stop", event.stop},
+             {"car", event.car}}};
   }
   Told operator()(const bus_line::StopSignLit& event) const {
-    return {fmt::format("stop sign{} {}", event.car == 1 ? "" : " of the second car",
-                        event.is_lit ? "on" : "off"),
+    return {fmt::format("stop sign{} {}", of_car(event.car), event.is_lit ? "on" : "off"),
             {{"event", "stop-sign"}, {"lit", event.is_lit}, {"car", event.car}}};
   }
   Told operator()(const bus_line::TicketIssued& event) const {
@@ -97,10 +103,9 @@ class BusTeller : public WorldTeller<BusNames> {
 };
 
 /// The present content of a display, with its name above.
-std::string display_text(const BusNetworkSnapshot::Shown& shown) {
+std::string display_text(const BusNames& names, const BusNetworkSnapshot::Shown& shown) {
   constexpr std::size_t columns = 60;
-  std::string text =
-      fmt::format("  {}\n  +{:-<{}}+\n", bus_device_name(shown.node), "", columns + 2);
+  std::string text = fmt::format("  {}\n  +{:-<{}}+\n", names.name(shown.node), "", columns + 2);
   std::string_view rest = shown.text;
   do {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -172,7 +177,7 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
   Json displays = Json::array();
   for (const BusNetworkSnapshot::Shown& shown : now.displays) {
     displays.push_back({{"node", shown.node},
-                        {"display", bus_device_name(shown.node)},
+                        {"display", names.name(shown.node)},
                         {"text", shown.text},
                         {"stop_sign", shown.is_sign_lit}});
   }
@@ -197,7 +202,7 @@ std::string WorldText<bus_line::BusNetwork>::picture(BusNetwork& network, double
                                  network.options().bit_rate / 1000, clock_text(now.local_time),
                                  text::duration_text(now.at - Time{}),
                                  speed > 0 ? fmt::format("  (x{:g})", speed) : "");
-  for (const BusNetworkSnapshot::Shown& shown : now.displays) text += display_text(shown);
+  for (const BusNetworkSnapshot::Shown& shown : now.displays) text += display_text(names, shown);
   text += "\n" + line_picture(now);
   text += fmt::format("  {} {}, {:.0f} km/h, {}; {} aboard, {} counted\n\n", bus_state_words(now),
                       now.truth.stop->name, now.speed * to_kmh, delay_text(now.delay),

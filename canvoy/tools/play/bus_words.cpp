@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -10,17 +9,9 @@
 
 namespace canvoy::tools {
 
-std::string_view bus_device_name(NodeId id) {
-  const auto place = std::ranges::find(bus_line::device_places, id, &bus_line::DevicePlace::id);
-  return place == bus_line::device_places.end() ? "" : place->name;
-}
-
 std::string BusNames::device(BusIndex, NodeId id) const {
   if (id == 0) return "all";
-  std::string_view name = bus_device_name(id);
-  const auto added = std::ranges::find(design_.added, id, &bus_line::AddedDevice::id);
-  if (added != design_.added.end()) name = added->kind;
-  return name.empty() ? text::node_text(id) : fmt::format("{} ({})", name, id);
+  return name(id).empty() ? text::node_text(id) : fmt::format("{} ({})", name(id), id);
 }
 
 std::string service_text(const bus_line::BusNetworkStatistics& statistics,

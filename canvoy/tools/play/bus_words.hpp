@@ -9,10 +9,7 @@
 
 namespace canvoy::tools {
 
-/// Name of a device, such as `ticket-canceller`; empty: no device of the bus has this node-ID.
-std::string_view bus_device_name(NodeId id);
-
-/// Names of a bus: `sim0` is in the first car, `sim1` in the second.
+/// Names of a bus: `sim0` is in the first car, `sim1` in the second, and so on.
 class BusNames : public PlanNames<bus_line::FaultKind> {
  public:
   /// `options` must outlive this.
@@ -20,6 +17,8 @@ class BusNames : public PlanNames<bus_line::FaultKind> {
       : PlanNames(options.faults), design_(options.design) {}
 
   std::string device(BusIndex, NodeId id) const override;
+  /// Name without the node-ID, such as `ticket-canceller`; empty: no device of the bus has it.
+  std::string_view name(NodeId id) const { return bus_line::name_of(design_, id); }
 
  private:
   const bus_line::BusDesign& design_;

@@ -131,7 +131,7 @@ struct BusOutlets {
   bool has_any() const { return !realtime.empty() || !displays.empty(); }
 };
 
-class PlayedBus : public Played<BusNetwork, 2> {
+class PlayedBus : public Played<BusNetwork> {
  public:
   PlayedBus(const BusNetworkOptions& options, const BusOutlets& outlets) : Played(options) {
     if (!outlets.displays.empty()) displays_.emplace(outlets.displays);
@@ -140,6 +140,12 @@ class PlayedBus : public Played<BusNetwork, 2> {
     realtime_ = open_realtime(outlets.realtime, network_);
   }
 
+  std::vector<std::string> bus_names() const override {
+    std::vector<std::string> names;
+    const unsigned cars = bus_line::cars_made(network_.options().design.cars);
+    for (unsigned bus = 0; bus < cars; ++bus) names.push_back(fmt::format("sim{}", bus));
+    return names;
+  }
   void run_until(Time until) override {
     for (Time next = next_outlet(); next <= until; next = next_outlet()) {
       network_.run_until(next);
@@ -179,16 +185,24 @@ struct BusWorld {
   static constexpr auto network = &Run::network;
 
   static WorldInfo info();
+  static WorldInfo info(const Run& run);
   static WorldFile<Run> file(const std::string& folder);
   static void check(const TomlTable& file, const std::string&, Run& run) {
     check_real(file, run, [](NodeId id) -> BusIndex { return bus_line::car_of(id) - 1U; },
-               {"bus", "second_bus"});
+               {"bus", "second_bus", "third_bus", "fourth_bus"});
+    check_cars(file, run);
+    for (const bus_line::DevicePlace& place : bus_line::device_places) {
+      if (!run.network.design.node_ids.contains(place.id)) continue;
+      const std::string wrong = problem_of_node_id(run.network.design, place);
+      if (!wrong.empty()) file.refuse(place.name, "id: " + wrong);
+    }
     const std::string problem = problem_of(run.network.design);
     if (!problem.empty()) file.refuse(problem);
   }
+  static void check_cars(const TomlTable& file, const Run& run);
   static Run run_of_file() { return {}; }
   static Duration& length(Run& run) { return run.network.length; }
-  static std::string check_fault_node(NodeId id);
+  static std::string check_fault_node(const Run& run, NodeId id);
   static void add_options(Verb& verb, Choice& choice);
   static int run_chosen(const Verb& verb, const RunOptions& options, const Choice& choice);
   static std::optional<int> play(const Run& run, PlayOptions& play_as, const RunOptions& options,
@@ -203,6 +217,14 @@ struct BusWorld {
   }
 };
 
+/// What the devices of a bus are, for who decodes their frames.
+void add_nodes(WorldInfo& info, const bus_line::BusDesign& design) {
+  for (const bus_line::DevicePlace& place : bus_line::places_of(design.cars)) {
+    info.decoding.nodes.push_back(
+        fmt::format("{}={}", id_of(design, place.id), bus_line::device_name_of(place.id)));
+  }
+}
+
 WorldInfo BusWorld::info() {
   WorldInfo info{.about = "A bus on its line: CiA 407 (a day)",
                  .examples =
@@ -210,10 +232,14 @@ WorldInfo BusWorld::info() {
                      "  canvoy run bus --for 20min --log bus.log --json",
                  .page = "bus-line",
                  .decoding = {.profiles = {"407"}}};
-  for (const bus_line::DevicePlace& place : bus_line::device_places) {
-    info.decoding.nodes.push_back(
-        fmt::format("{}={}", place.id, bus_line::device_name_of(place.id)));
-  }
+  add_nodes(info, {});
+  return info;
+}
+
+WorldInfo BusWorld::info(const Run& run) {
+  WorldInfo info = BusWorld::info();
+  info.decoding.nodes.clear();
+  add_nodes(info, run.network.design);
   return info;
 }
 
@@ -269,22 +295,43 @@ WorldFile<BusRun> BusWorld::file(const std::string& folder) {
       .network = name,
       .title = "A bus on its line: CiA 407.",
       .head = world_head(length_of_day(), name),
-      .parts = {SettingTable<Run>{"bus",
-                                  "",
-                                  {setting<network, &BusNetworkOptions::bit_rate>(
-                                       "bit_rate", "bit/s", {{50'000, 1'000'000}}),
-                                   real_setting<Run>(0)}},
-                SettingTable<Run>{"second_bus", "in the second car", {real_setting<Run>(1)}},
-                line_table(folder)}};
+      .parts = {
+          SettingTable<Run>{"bus",
+                            "",
+                            {setting<network, &BusNetworkOptions::bit_rate>("bit_rate", "bit/s",
+                                                                            {{50'000, 1'000'000}}),
+                             real_setting<Run>(0)}},
+          SettingTable<Run>{"second_bus", "in the second car", {real_setting<Run>(1)}},
+          part_of_car(3,
+                      SettingTable<Run>{"third_bus", "in the third car", {real_setting<Run>(2)}}),
+          part_of_car(4,
+                      SettingTable<Run>{"fourth_bus", "in the fourth car", {real_setting<Run>(3)}}),
+          line_table(folder)}};
   add_bus_settings(file.parts, folder);
   return file;
 }
 
-std::string BusWorld::check_fault_node(NodeId id) {
+/// Refuses tables of cars that the bus does not have.
+void BusWorld::check_cars(const TomlTable& file, const Run& run) {
+  const unsigned cars = run.network.design.cars;
+  const auto refuse = [&](unsigned car, std::string_view table) {
+    if (car <= bus_line::cars_made(cars) || !file.has(table)) return;
+    file.refuse(table,
+                cars == 1 ? "the bus has one car" : fmt::format("the bus has {} cars", cars));
+  };
+  refuse(3, "third_bus");
+  refuse(4, "fourth_bus");
+  for (const bus_line::DevicePlace& place : bus_line::device_places) refuse(place.car, place.name);
+}
+
+std::string BusWorld::check_fault_node(const Run& run, NodeId id) {
+  const bus_line::BusDesign& design = run.network.design;
   std::vector<unsigned> ids;
-  ids.reserve(bus_line::device_places.size());
-  for (const bus_line::DevicePlace& place : bus_line::device_places) ids.push_back(place.id);
+  for (const bus_line::DevicePlace& place : bus_line::places_of(design.cars)) {
+    ids.push_back(id_of(design, place.id));
+  }
   if (std::ranges::find(ids, id) != ids.end()) return {};
+  std::ranges::sort(ids);
   return fmt::format("there are nodes {}", fmt::join(ids, ", "));
 }
 

@@ -26,8 +26,9 @@ DisplayFolder::DisplayFolder(std::string folder) : folder_(std::move(folder)) {
 }
 
 void DisplayFolder::look(const bus_line::BusNetwork& network) {
-  for (const bus_line::DevicePlace& place : bus_line::device_places) {
-    const bus_line::ShownDisplay* shown = network.find_display(place.id);
+  const bus_line::BusDesign& design = network.options().design;
+  for (const bus_line::DevicePlace& place : bus_line::places_of(design.cars)) {
+    const bus_line::ShownDisplay* shown = network.find_display(id_of(design, place.id));
     if (shown == nullptr) continue;
     const BusDisplay& display = shown->display();
     Drawn& drawn = drawn_.at(place.id);

@@ -8,43 +8,23 @@ namespace {
 
 constexpr Duration announcement_bound = 2s;
 
-constexpr InvariantKind announcements_in(unsigned car) {
-  return car == 1 ? InvariantKind::announcements : InvariantKind::second_announcements;
-}
-
 }  // namespace
 
-void Announcements::add_first_car() {
+void Announcements::add_car(unsigned car) {
   using cia407::AcousticAnnouncerHardware;
   Environment& environment = nodes_.add_site();
-  environment.provide(callback<&Announcements::first_hardware>(*this));
-  nodes_.add(announcer_id, environment);
+  Speakers& speakers = speakers_.emplace_back(*this, car);
+  environment.provide(Callback<AcousticAnnouncerHardware()>::to<&Speakers::hardware>(speakers));
+  nodes_.add(announcer_of(car), environment);
 }
 
-void Announcements::add_second_car() {
-  using cia407::AcousticAnnouncerHardware;
-  Environment& environment = nodes_.add_site();
-  environment.provide(callback<&Announcements::second_hardware>(*this));
-  nodes_.add(second_announcer_id, environment);
+cia407::AcousticAnnouncerHardware Announcements::Speakers::hardware() {
+  return {.announce = Callback<bool(std::uint32_t, std::string_view)>::to<&Speakers::say>(*this)};
 }
 
-cia407::AcousticAnnouncerHardware Announcements::first_hardware() {
-  return {.announce = callback<&Announcements::say_in_first_car>(*this)};
-}
-
-cia407::AcousticAnnouncerHardware Announcements::second_hardware() {
-  return {.announce = callback<&Announcements::say_in_second_car>(*this)};
-}
-
-bool Announcements::say_in_first_car(std::uint32_t stop_point, std::string_view /*text*/) {
-  return say(1, stop_point, options_.sabotage.mute_announcer);
-}
-
-bool Announcements::say_in_second_car(std::uint32_t stop_point, std::string_view /*text*/) {
-  return say(2, stop_point, options_.sabotage.mute_second_announcer);
-}
-
-bool Announcements::say(unsigned car, std::uint32_t stop_point, bool is_mute) {
+bool Announcements::say(unsigned car, std::uint32_t stop_point) {
+  const Sabotage& sabotage = options_.sabotage;
+  const bool is_mute = car == 1 ? sabotage.mute_announcer : car == sabotage.mute_car;
   const auto stop = std::ranges::find(options_.line.stops, stop_point, &BusStop::number);
   const bool is_known = stop != options_.line.stops.end();
   if (is_mute) return is_known;
@@ -65,7 +45,7 @@ void Announcements::stop_comes(Time now, std::uint32_t stop_point) {
 }
 
 void Announcements::step(Time now) {
-  for (unsigned car = 1; car <= expected_.size(); ++car) {
+  for (unsigned car = 1; car <= nodes_.cars(); ++car) {
     std::optional<std::uint32_t>& expected = expected_.at(car - 1);
     if (!expected || now - expected_since_ <= announcement_bound) continue;
     expected.reset();

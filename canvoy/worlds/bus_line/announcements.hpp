@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <string_view>
 
@@ -27,9 +28,7 @@ class Announcements {
   Announcements& operator=(const Announcements&) = delete;
 
   /// Puts the announcer of a car on the bus.
-  void add_first_car();
-  /// Puts the announcer of the second car on the bus.
-  void add_second_car();
+  void add_car(unsigned car);
   /// Call it when this stop becomes the next one.
   void stop_comes(Time now, std::uint32_t stop_point);
   /// Judges what was not announced in time.
@@ -38,18 +37,31 @@ class Announcements {
   std::size_t heard() const { return heard_; }
 
  private:
-  cia407::AcousticAnnouncerHardware first_hardware();
-  cia407::AcousticAnnouncerHardware second_hardware();
-  bool say_in_first_car(std::uint32_t stop_point, std::string_view text);
-  bool say_in_second_car(std::uint32_t stop_point, std::string_view text);
-  bool say(unsigned car, std::uint32_t stop_point, bool is_mute);
+  /// Loudspeakers of a car.
+  class Speakers {
+   public:
+    /// `all` must outlive them.
+    Speakers(Announcements& all, unsigned car) : all_(all), car_(car) {}
+    cia407::AcousticAnnouncerHardware hardware();
+
+   private:
+    bool say(std::uint32_t stop_point, std::string_view /*text*/) {
+      return all_.say(car_, stop_point);
+    }
+
+    Announcements& all_;
+    unsigned car_;
+  };
+
+  bool say(unsigned car, std::uint32_t stop_point);
 
   BusNodes& nodes_;
   const BusNetworkOptions& options_;
   const TrueHistory& truth_;
   BusReferee& referee_;
   EventLog<NetworkEvent>& events_;
-  std::array<std::optional<std::uint32_t>, 2> expected_;  ///< in each car
+  std::deque<Speakers> speakers_;
+  std::array<std::optional<std::uint32_t>, cars_max> expected_;  ///< in each car
   Time expected_since_{};
   std::size_t heard_ = 0;
 };

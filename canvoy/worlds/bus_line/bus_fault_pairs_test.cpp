@@ -20,7 +20,7 @@ TEST_P(BusFaultPairs, WithEachOtherKind) {
     std::vector<ScheduledFault>& faults = options.faults.faults;
     faults = pair_of_faults<ScheduledFault>(GetParam(), other, Time(8min + 40s), 90s);
     // Of two faults of nodes, the second one is in the other car.
-    if (has_node(faults.back().kind)) faults.back().node = second_next_stop_id;
+    if (has_node(faults.back().kind)) faults.back().node = next_stop_of(2);
     const std::string pair = pair_name(faults);
     BusNetwork network(options);
     network.run_until(Time(17min));
@@ -30,7 +30,7 @@ TEST_P(BusFaultPairs, WithEachOtherKind) {
     }
     const std::string& stop = network.vehicle().truth().stop->name;
     EXPECT_EQ(network.display(next_stop_id).text(), stop) << pair;
-    EXPECT_EQ(network.display(second_next_stop_id).text(), stop) << pair;
+    EXPECT_EQ(network.display(next_stop_of(2)).text(), stop) << pair;
   }
 }
 

@@ -4,7 +4,7 @@
 //     faults.plan();
 #pragma once
 
-#include <array>
+#include <deque>
 
 #include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/fault_engine.hpp"
@@ -12,8 +12,8 @@
 #include "canvoy/worlds/bus_line/bus_displays.hpp"
 #include "canvoy/worlds/bus_line/bus_nodes.hpp"
 #include "canvoy/worlds/bus_line/bus_referee.hpp"
+#include "canvoy/worlds/bus_line/following_cars.hpp"
 #include "canvoy/worlds/bus_line/on_board_computer.hpp"
-#include "canvoy/worlds/bus_line/second_car.hpp"
 #include "canvoy/worlds/bus_line/ticket_devices.hpp"
 #include "canvoy/worlds/bus_line/vehicle_sensors.hpp"
 
@@ -27,7 +27,7 @@ class BusFaults {
     OnBoardComputer& computer;  ///< whose clock may be wrong
     VehicleSensors& sensors;    ///< that lose satellites
     TicketDevices& tickets;     ///< that run out of paper
-    SecondCar& second_car;      ///< behind the train bus
+    FollowingCars& following;   ///< behind the train bus
     BusVehicle& vehicle;        ///< whose doors break
     BusReferee& referee;        ///< told what is excused
   };
@@ -51,8 +51,8 @@ class BusFaults {
   bool cable_is_broken() const {
     return faults_.is_present(FaultKind::cable_cut) || faults_.is_present(FaultKind::babbling_node);
   }
-  /// True while a fault has cut the power of this node.
-  bool is_without_power(NodeId id) const { return cuts_.is_cut(id); }
+  /// True while a fault has cut the power of this device.
+  bool is_without_power(DeviceKey key) const { return key <= node_id_max && cuts_.is_cut(key); }
 
  private:
   using Engine = FaultEngine<FaultKind>;
@@ -62,15 +62,17 @@ class BusFaults {
   void ended(std::size_t fault);
   void set(std::size_t fault, bool is_present);
   void set_of_cables(const ScheduledFault& fault, bool is_present);
-  void cut(NodeId behind, bool is_present);
-  void power(NodeId id, bool is_on);
+  DeviceKey device_of(const ScheduledFault& fault) const;
+  FaultPlace place_of(const ScheduledFault& fault) const;
+  void cut(DeviceKey behind, bool is_present);
+  void power(DeviceKey key, bool is_on);
 
   BusNodes& nodes_;
   Parts parts_;
   Hands hands_;
   EventLog<NetworkEvent>& events_;
   Engine faults_;
-  std::array<BusTrouble, 2> troubles_;  ///< of the cable of each car
+  std::deque<BusTrouble> troubles_;  ///< of the cable of each car
   PowerCuts cuts_;
 };
 

@@ -1,87 +1,11 @@
 #include "canvoy/worlds/bus_line/bus_network.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
 #include <utility>
 
-#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/worlds/bus_line/pdo_links.hpp"
 
 namespace canvoy::bus_line {
-
-namespace {
-
-/// The table of 8.1.4.3, with its numbers read in their order (errata 94).
-struct Table {
-  std::uint32_t id;
-  std::uint8_t length;
-  bool is_of_computer;  ///< false: of the identification device
-};
-constexpr std::array<Table, 8> tables = {{
-    {0x181, 6, true},   // year, day, month, hour, minute, second
-    {0x381, 6, true},   // route segment, fare zone, blocking, direction, running number
-    {0x401, 8, true},   // stop point, events
-    {0x481, 8, true},   // line, eight characters
-    {0x501, 8, true},   // stop point, eight characters
-    {0x201, 4, false},  // driver
-    {0x281, 8, false},  // block, line, journey
-    {0x301, 6, false},  // destination, route
-}};
-constexpr std::uint32_t route_id = 0x381;
-constexpr std::uint32_t stop_point_id = 0x401;
-constexpr std::uint32_t driver_id = 0x201;
-constexpr std::uint32_t block_id = 0x281;
-constexpr std::uint32_t destination_id = 0x301;
-
-std::uint64_t number_at(const Frame& frame, std::size_t first, std::size_t bytes) {
-  return load_unsigned(std::span(frame.data).subspan(first, bytes));
-}
-
-bool says(const Frame& frame, const TrueData& data) {
-  switch (frame.id) {
-    case route_id:
-      return number_at(frame, 0, 2) == data.route_segment && frame.data[2] == data.fare_zone;
-    case stop_point_id:
-      return number_at(frame, 0, 4) == data.stop_point;
-    case driver_id:
-      return number_at(frame, 0, 4) == data.driver;
-    case block_id:
-      return number_at(frame, 0, 4) == data.block && number_at(frame, 4, 2) == data.line &&
-             number_at(frame, 6, 2) == data.journey;
-    case destination_id:
-      return number_at(frame, 0, 4) == data.destination && number_at(frame, 4, 2) == data.route;
-    default:
-      return true;
-  }
-}
-
-}  // namespace
-
-std::optional<bool> MessageReferee::is_right(Time now, ControllerId sender, const Frame& frame,
-                                             const TrueHistory& truth) const {
-  const auto table = std::ranges::find(tables, frame.id, &Table::id);
-  if (table == tables.end() || frame.is_extended()) return std::nullopt;
-  const bool is_from = sender == (table->is_of_computer ? computer_ : identification_);
-  if (!is_from || frame.length != table->length || !frame.is_plain()) return false;
-  return says(frame, TrueData{}) ||
-         truth.is_true(now, [&](const TrueData& data) { return says(frame, data); });
-}
-
-bool MessageReferee::is_time(const Frame& frame, const cia407::CivilTime& time) {
-  // SAE J1939: years since 1985, quarters of days, quarters of seconds (errata 52, 56).
-  constexpr unsigned quarters = 4;
-  const cia407::CivilTime told = {.year = 1985 + frame.data[0],
-                                  .month = frame.data[2],
-                                  .day = (frame.data[1] + quarters - 1) / quarters,
-                                  .hour = frame.data[3],
-                                  .minute = frame.data[4],
-                                  .second = frame.data[5] / quarters};
-  if (!cia407::can_be_told(told)) return false;
-  const std::int64_t late = cia447::seconds_since_1970(time) - cia447::seconds_since_1970(told);
-  return std::abs(late) <= 1;
-}
 
 namespace {
 
@@ -98,23 +22,24 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
       clock_(options_, world_, vehicle_),
       computer_(nodes_, options_, vehicle_, clock_),
       displays_(nodes_, options_.sabotage,
-                callback<&DisplayWatch::displays_changed>(display_watch_)),
+                Callback<void()>::to<&DisplayWatch::displays_changed>(display_watch_)),
       tickets_(nodes_, options_.sabotage,
                TicketDevices::Issued::to<&ServiceWatch::ticket_issued>(service_)),
       announcements_(nodes_, options_, truth_, referee_, events_),
       sensors_(nodes_, options_.sabotage, vehicle_, clock_),
-      second_car_(nodes_, options_.sabotage),
-      stop_requests_(nodes_, {displays_, computer_, second_car_, vehicle_, referee_}, events_),
-      faults_(nodes_, options_.faults,
-              {displays_, computer_, sensors_, tickets_, second_car_, vehicle_, referee_},
-              {.began = callback<&ServiceWatch::fault_begins>(service_),
-               .vehicle_touched = callback<&BusNetwork::wake_vehicle>(*this)},
-              events_),
+      following_(nodes_, options_.sabotage),
+      stop_requests_(nodes_, {displays_, computer_, following_, vehicle_, referee_}, events_),
+      faults_(
+          nodes_, options_.faults,
+          {displays_, computer_, sensors_, tickets_, following_, vehicle_, referee_},
+          {.began = Callback<void(const InvariantSet&)>::to<&ServiceWatch::fault_begins>(service_),
+           .vehicle_touched = Callback<void()>::to<&BusNetwork::wake_vehicle>(*this)},
+          events_),
       display_watch_(nodes_, options_.line, displays_, vehicle_, referee_, events_),
       service_(nodes_,
                {faults_, vehicle_, computer_, sensors_, truth_, referee_, capacity_of(options_)},
                events_),
-      heard_(options_.line, options_.design.ids) {
+      heard_(options_.line, options_.design) {
   vehicle_.on_event(
       [this](Time now, BusEvent event, std::size_t stop) { happened(now, event, stop); });
   add_nodes();
@@ -137,31 +62,37 @@ void BusNetwork::add_nodes() {
   computer_.add_nodes();
   displays_.add_first_car();
   tickets_.add_nodes();
-  announcements_.add_first_car();
+  announcements_.add_car(1);
   sensors_.add_nodes();
-  second_car_.add_nodes();
-  displays_.add_second_car();
-  announcements_.add_second_car();
+  following_.add_nodes();
+  for (unsigned car = 2; car <= nodes_.cars(); ++car) {
+    displays_.add_following_car(car);
+    announcements_.add_car(car);
+  }
   nodes_.complete();
   configure(nodes_);
 }
 
 void BusNetwork::hear_messages() {
-  messages_.name(node(computer_id).controller(), node(identification_id).controller());
+  messages_.name(nodes_.node(computer_id).controller(),
+                 nodes_.node(identification_id).controller());
   nodes_.cable(1).observe(
       {.context = this,
        .on_frame = [](void* self, Time now, ControllerId sender, const Frame& frame) {
          static_cast<BusNetwork*>(self)->frame_sent(now, sender, frame);
        }});
   nodes_.listen(1);
-  const ControllerId gateway = node(second_gateway_id).controller();
-  second_messages_.name(gateway, gateway);
-  nodes_.cable(2).observe(
-      {.context = this,
-       .on_frame = [](void* self, Time now, ControllerId sender, const Frame& frame) {
-         static_cast<BusNetwork*>(self)->frame_sent_in_second_car(now, sender, frame);
-       }});
-  nodes_.listen(2);
+  for (unsigned car = 2; car <= nodes_.cars(); ++car) {
+    FollowingMessages& messages = following_messages_.emplace_back(*this);
+    const ControllerId gateway = nodes_.node(gateway_of(car)).controller();
+    messages.referee.name(gateway, gateway);
+    nodes_.cable(car).observe(
+        {.context = &messages,
+         .on_frame = [](void* self, Time now, ControllerId sender, const Frame& frame) {
+           static_cast<FollowingMessages*>(self)->frame_sent(now, sender, frame);
+         }});
+    nodes_.listen(car);
+  }
 }
 
 /// Sends the driver's message as a foreign device.
@@ -304,14 +235,14 @@ void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
                  *is_right && MessageReferee::is_time(frame, clock_.local()));
 }
 
-void BusNetwork::frame_sent_in_second_car(Time now, ControllerId sender, const Frame& frame) {
-  const std::optional<bool> is_right = second_messages_.is_right(now, sender, frame, truth_);
-  if (is_right) referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
+void BusNetwork::FollowingMessages::frame_sent(Time now, ControllerId sender, const Frame& frame) {
+  const std::optional<bool> is_right = referee.is_right(now, sender, frame, network.truth_);
+  if (is_right) network.referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
 }
 
 void BusNetwork::step(Time now) {
   lead_vehicle(now);
-  second_car_.step(now);
+  following_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
   stop_requests_.look(now);
   judge(now);
@@ -331,11 +262,8 @@ void BusNetwork::judge(Time now) {
 
 std::vector<Invariant> BusNetwork::invariants() const {
   std::vector<Invariant> verdicts = referee_.verdicts();
-  if (options_.design.cars > 1) return verdicts;
-  std::erase_if(verdicts, [](const Invariant& invariant) {
-    return invariant.kind == InvariantKind::second_car ||
-           invariant.kind == InvariantKind::second_announcements ||
-           invariant.kind == InvariantKind::second_stop_sign;
+  std::erase_if(verdicts, [this](const Invariant& invariant) {
+    return car_of(invariant.kind) > options_.design.cars;
   });
   return verdicts;
 }
@@ -364,9 +292,10 @@ BusNetworkSnapshot BusNetwork::snapshot() {
                           .counted = computer_.counted(),
                           .riders = vehicle_.riders().statistics(),
                           .statistics = counted_};
-  for (const NodeId id : display_ids) {
-    if (!nodes_.is_there(id)) continue;
-    look.displays.push_back({id, display(id).text(), display(id).is_sign_lit()});
+  for (const DeviceKey key : display_ids) {
+    if (!nodes_.is_there(key)) continue;
+    const ShownDisplay& shown = displays_.at(key);
+    look.displays.push_back({nodes_.id(key), shown.text(), shown.is_sign_lit()});
   }
   for (std::size_t i = 0; i < vehicle_.door_count(); ++i) {
     look.doors.push_back(vehicle_.door(i).state());

@@ -37,12 +37,12 @@ struct DisplayShows {
 struct Announced {
   std::uint32_t stop_point = 0;  ///< its number, 6109h
   std::string stop{};            ///< empty: no stop of the line
-  unsigned car = 1;              ///< 1 or 2
+  unsigned car = 1;              ///< 1 to 4
 };
 /// The sign "stop requested" goes on or off.
 struct StopSignLit {
   bool is_lit = false;  ///< true: on
-  unsigned car = 1;     ///< 1 or 2
+  unsigned car = 1;     ///< 1 to 4
 };
 /// A passenger has a new valid ticket.
 struct TicketIssued {

@@ -10,7 +10,7 @@ unsigned capacity_of(const BusNetworkOptions& options) {
 }
 
 BusOptions vehicle_options(const BusNetworkOptions& options) {
-  constexpr unsigned second_car_every = 3;
+  constexpr unsigned behind_every = 3;
   BusOptions made = options.vehicle;
   made.seed = options.faults.seed;
   made.has_hasty_driver = made.has_hasty_driver || options.sabotage.hasty_driver;
@@ -18,10 +18,9 @@ BusOptions vehicle_options(const BusNetworkOptions& options) {
   if (options.design.doors) made.doors = *options.design.doors;
   made.riders.capacity = options.design.capacity.value_or(made.riders.capacity);
   if (options.sabotage.crowd) made.riders.capacity = std::numeric_limits<unsigned>::max();
-  if (options.design.cars == 1) {
-    made.riders.second_car_every = 0;
-  } else if (made.riders.second_car_every == 0) {
-    made.riders.second_car_every = second_car_every;
+  made.riders.cars = options.design.cars;
+  if (options.design.cars > 1 && made.riders.behind_every == 0) {
+    made.riders.behind_every = behind_every;
   }
   return made;
 }

@@ -122,8 +122,8 @@ TEST(BusNetwork, DisplaysFollowTheBusAlongItsRoute) {
 TEST(BusNetwork, TheSecondCarMirrorsTheFirst) {
   BusNetwork network(with_seed(1));
   network.run_until(Time(4min));
-  EXPECT_EQ(network.display(second_destination_id).text(), "407\nHarbour");
-  EXPECT_EQ(network.display(second_next_stop_id).text(), "Central Station");
+  EXPECT_EQ(network.display(destination_of(2)).text(), "407\nHarbour");
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), "Central Station");
   network.run_until(Time(30min));
   std::vector<std::string> first;
   std::vector<std::string> second;
@@ -132,11 +132,11 @@ TEST(BusNetwork, TheSecondCarMirrorsTheFirst) {
     if (shown.node == next_stop_id) first.push_back(shown.text);
     // Where a journey begins, the display is dark for a moment, until all texts have arrived.
     const bool is_again = !second.empty() && second.back() == shown.text;
-    if (shown.node == second_next_stop_id && !is_again) second.push_back(shown.text);
+    if (shown.node == next_stop_of(2) && !is_again) second.push_back(shown.text);
   }
   EXPECT_GT(second.size(), 8u);
   EXPECT_EQ(second, first);
-  EXPECT_EQ(network.display(second_destination_id).text(), "407\nCentral Station");
+  EXPECT_EQ(network.display(destination_of(2)).text(), "407\nCentral Station");
   // Its announcer has announced the same stops.
   std::vector<std::uint32_t> said[2];
   for (const Announced& each : all_of<Announced>(network)) {
@@ -175,14 +175,14 @@ TEST(BusNetwork, TheSecondCarIsDarkWithoutTheTrainBus) {
       {.kind = FaultKind::train_bus_cut, .start = Time(10min), .duration = 5min}};
   BusNetwork network(options);
   network.run_until(Time(10min) - 1us);
-  EXPECT_FALSE(network.display(second_next_stop_id).text().empty());
+  EXPECT_FALSE(network.display(next_stop_of(2)).text().empty());
   // No message is received for 300 ms, which is checked each 100 ms and reported by SDO.
   network.run_until(Time(10min + 600ms));
-  EXPECT_EQ(network.display(second_next_stop_id).text(), "");
-  EXPECT_EQ(network.display(second_destination_id).text(), "");
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), "");
+  EXPECT_EQ(network.display(destination_of(2)).text(), "");
   EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
   network.run_until(Time(15min + 2s));
-  EXPECT_EQ(network.display(second_next_stop_id).text(), network.vehicle().truth().stop->name);
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), network.vehicle().truth().stop->name);
   EXPECT_EQ(broken(network), "");
 }
 
@@ -192,8 +192,8 @@ TEST(BusNetwork, TheSecondCarIsDarkWithoutTheComputerOfTheFirst) {
   BusNetwork network(options);
   // The gateway misses the heartbeat after 1.2 s, like the displays of the first car.
   network.run_until(Time(10min + 1900ms));
-  EXPECT_EQ(network.display(second_next_stop_id).text(), "");
-  EXPECT_EQ(network.display(second_destination_id).text(), "");
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), "");
+  EXPECT_EQ(network.display(destination_of(2)).text(), "");
 }
 
 std::size_t signs_lit(const BusNetwork& network, unsigned car) {
@@ -225,7 +225,7 @@ TEST(BusNetwork, WhoPressesInTheSecondCarIsHeardAndShownInBoth) {
 TEST(BusNetwork, WithoutTheTrainBusPeopleOfTheSecondCarGoForwardToPress) {
   BusNetworkOptions options = with_seed(1);
   options.faults.faults = {{.kind = FaultKind::train_bus_cut, .duration = 4h}};
-  options.vehicle.riders.second_car_every = 1;  // all riders
+  options.vehicle.riders.behind_every = 1;  // all riders
   BusNetwork network(options);
   network.run_until(Time(45min));
   EXPECT_EQ(signs_lit(network, 2), 0u);
@@ -240,11 +240,11 @@ TEST(BusNetwork, AComputerThatComesBackTakesNoOldRequestOfTheTrain) {
   options.faults.faults = {{.start = Time(9min + 30s), .duration = 2min, .node = computer_id}};
   BusNetwork network(options);
   network.run_until(Time(9min + 29s));
-  EXPECT_TRUE(network.display(second_next_stop_id).is_sign_lit());
+  EXPECT_TRUE(network.display(next_stop_of(2)).is_sign_lit());
   network.run_until(Time(11min + 40s));
   EXPECT_TRUE(network.node(computer_id).is_operational());
   EXPECT_FALSE(network.display(next_stop_id).is_sign_lit());
-  EXPECT_FALSE(network.display(second_next_stop_id).is_sign_lit());
+  EXPECT_FALSE(network.display(next_stop_of(2)).is_sign_lit());
 }
 
 /// A passenger requested a stop while the cable was cut, and has reached it long ago.
@@ -255,7 +255,7 @@ TEST(BusNetwork, AComputerThatHearsTheTrainAgainTakesNoOldRequest) {
   network.run_until(Time(25min + 20s));
   EXPECT_TRUE(network.node(train_gateway_id).is_operational());
   EXPECT_FALSE(network.display(next_stop_id).is_sign_lit());
-  EXPECT_FALSE(network.display(second_next_stop_id).is_sign_lit());
+  EXPECT_FALSE(network.display(next_stop_of(2)).is_sign_lit());
   EXPECT_EQ(broken(network), "");
 }
 
@@ -337,7 +337,7 @@ TEST(BusNetwork, EachTextHasACharacterSetOfItsDisplay) {
             "\xA3\xF3"
             "d\xBC");
   EXPECT_EQ(network.display(next_stop_id).reading(), U"\u0141\u00F3d\u017A");
-  EXPECT_EQ(network.display(second_next_stop_id).text(), "L\u00F3dz") << "the train has Latin-1";
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), "L\u00F3dz") << "the train has Latin-1";
   EXPECT_EQ(network.display(front_display_id).text(), "407\nZhitomir");
   EXPECT_EQ(octets_at(network, next_stop_id, 0x6112, 2), "\xBF\xD0\xE0\xDA");
   EXPECT_EQ(octets_at(network, next_stop_id, 0x6112, 3), "\xC1\xE8\xDE\xED\xE1");
@@ -460,7 +460,7 @@ TEST_P(BusFault, AloneBreaksNothing) {
     EXPECT_TRUE(node->is_operational()) << node->place().name;
   }
   EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
-  EXPECT_EQ(network.display(second_next_stop_id).text(), network.vehicle().truth().stop->name);
+  EXPECT_EQ(network.display(next_stop_of(2)).text(), network.vehicle().truth().stop->name);
 }
 
 constexpr const char* bus_fault_cases[] = {"lost-node@10min+3min",

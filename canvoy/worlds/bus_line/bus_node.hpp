@@ -16,6 +16,7 @@
 #include "canvoy/canopen/remote/identity.hpp"
 #include "canvoy/devices/cia407/kit/bus_device.hpp"
 #include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/bus_line/bus_places.hpp"
 
 namespace canvoy::bus_line {
 
@@ -24,6 +25,7 @@ class BusNode {
   /// Which device it is.
   struct Place {
     std::string_view name;            ///< in files and logs
+    DeviceKey key = 0;                ///< which device of a bus it is
     NodeId id = 0;                    ///< 1 to 127
     std::uint32_t serial_number = 0;  ///< 1018h:04h, unique for LSS
     bool is_played = true;            ///< false: a real device has this node-ID

@@ -1,4 +1,4 @@
-// The two cables of a bus, one in each car, and the physical devices on them: which are simulated
+// The cables of a bus, one in each car, and the physical devices on them: which are simulated
 // here, which are at work.
 //
 //     BusNodes nodes(world, options, events);
@@ -9,6 +9,7 @@
 
 #include <array>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,7 +34,7 @@ class BusNodes {
   /// Adds the surroundings of a device; valid as long as this object.
   Environment& add_site() { return sites_.emplace_back(); }
   /// Adds a device of device_places, without power.
-  void add(NodeId id, const Environment& environment);
+  void add(DeviceKey key, const Environment& environment);
   /// Adds a device of the design.
   void add(const AddedDevice& device, const Environment& environment);
   /// Call it when all devices are added: it puts them in the order of their node-IDs.
@@ -41,38 +42,42 @@ class BusNodes {
   /// Starts to listen to the cable of a car.
   void listen(unsigned car) { cable(car).observe(watches_.at(car - 1).tap()); }
 
-  /// The world of both cables.
+  /// The world of all cables.
   World& world() { return world_; }
-  /// Cable of car 1 or 2.
+  /// Cars with a cable: two where the bus has one car, which has nothing on the second.
+  unsigned cars() const { return cars_made(design().cars); }
+  /// Cable of a car, from 1 to cars(); throws std::out_of_range for another.
   SimulatedBus& cable(unsigned car) { return world_.bus(indices_.at(car - 1)); }
   /// Index of the cable of a device; for 0, that of the first.
-  BusIndex index_of(NodeId id) const { return indices_.at(car_of(id) - 1); }
+  BusIndex index_of(DeviceKey key) const { return indices_.at(car_of(key) - 1); }
   /// Car of a device; 1 for one that is not on the bus.
-  unsigned car_of(NodeId id) const;
-  /// Node-ID of the device that starts this one; its own, where it starts the others.
-  NodeId master_of(NodeId id) const { return car_of(id) == 1 ? computer_id : second_gateway_id; }
+  unsigned car_of(DeviceKey key) const;
+  /// The device that starts this one; itself, where it starts the others.
+  DeviceKey master_of(DeviceKey key) const { return master_in(car_of(key)); }
+  /// Node-ID of a device.
+  NodeId id(DeviceKey key) const { return id_of(design(), key); }
   /// Devices and vehicle by design.
   const BusDesign& design() const { return options_.design; }
-  /// Device with a node-ID; throws std::out_of_range where there is none.
-  BusNode& node(NodeId id) { return *by_id_.at(id); }
+  /// A device by its key, which is one of this bus.
+  BusNode& node(DeviceKey key) { return *by_key_.at(key); }
   /// All devices of the bus, in the order in which they were added.
   std::span<const std::unique_ptr<BusNode>> all() const { return nodes_; }
   /// False for a device of a car that the bus does not have: it is never on.
-  bool is_there(NodeId id) const { return bus_line::is_there(design(), id); }
+  bool is_there(DeviceKey key) const;
 
   /// True if it is simulated here.
-  bool is_played(NodeId id) const;
+  bool is_played(DeviceKey key) const;
   /// As far as can be seen of a device that is not simulated here.
-  bool is_at_work(NodeId id);
+  bool is_at_work(DeviceKey key);
   /// True if the device may still come: or the device that starts it is not simulated here, and may
   /// start it at any time.
-  bool is_awaited(NodeId id) const;
+  bool is_awaited(DeviceKey key) const;
   /// Time after which the device is lost without its heartbeat: short for a simulated device, which
   /// sends it every 500 ms; longer for a real one, which may send it every second.
-  Duration heartbeat_time_out(NodeId id) const;
+  Duration heartbeat_time_out(DeviceKey key) const;
 
-  /// Load and state of both cables.
-  std::array<BusSnapshot, 2> cable_snapshots();
+  /// Load and state of the cables.
+  std::vector<BusSnapshot> cable_snapshots();
   /// States of the devices, in the order of all().
   std::vector<NodeSnapshot> node_snapshots();
   /// Names, in the order of all().
@@ -84,12 +89,12 @@ class BusNodes {
 
   World& world_;
   const BusNetworkOptions& options_;
-  std::array<BusIndex, 2> indices_;  ///< of each car
+  std::vector<BusIndex> indices_;  ///< of each car
   std::deque<Environment> sites_;
   std::vector<std::unique_ptr<BusNode>> nodes_;
   std::vector<std::unique_ptr<BusNode>> absent_;
-  std::array<BusNode*, node_id_max + 1> by_id_{};
-  std::array<BusWatch, 2> watches_;
+  std::array<BusNode*, std::numeric_limits<DeviceKey>::max() + 1> by_key_{};
+  std::deque<BusWatch> watches_;  ///< of each cable
 };
 
 }  // namespace canvoy::bus_line

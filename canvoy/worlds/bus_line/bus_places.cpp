@@ -52,10 +52,18 @@ constexpr PlaceUnits place_units[] = {
     {counting_manager_id, units_of<CountingManagerKind>},
     {second_counter_id, units_of<PassengerCounterKind>},
     {train_gateway_id, units_of<TrainBusGatewayKind>},
-    {second_gateway_id, units_of<TrainBusGatewayKind, MirrorControlKind>},
-    {second_destination_id, units_of<TextDisplay<InformationClass::destination>>},
-    {second_next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>},
-    {second_announcer_id, units_of<AcousticAnnouncerKind>},
+    {gateway_of(2), units_of<TrainBusGatewayKind, MirrorControlKind>},
+    {destination_of(2), units_of<TextDisplay<InformationClass::destination>>},
+    {next_stop_of(2), units_of<TextDisplay<InformationClass::next_stop>>},
+    {announcer_of(2), units_of<AcousticAnnouncerKind>},
+    {gateway_of(3), units_of<TrainBusGatewayKind, MirrorControlKind>},
+    {destination_of(3), units_of<TextDisplay<InformationClass::destination>>},
+    {next_stop_of(3), units_of<TextDisplay<InformationClass::next_stop>>},
+    {announcer_of(3), units_of<AcousticAnnouncerKind>},
+    {gateway_of(4), units_of<TrainBusGatewayKind, MirrorControlKind>},
+    {destination_of(4), units_of<TextDisplay<InformationClass::destination>>},
+    {next_stop_of(4), units_of<TextDisplay<InformationClass::next_stop>>},
+    {announcer_of(4), units_of<AcousticAnnouncerKind>},
 };
 static_assert(std::size(place_units) == device_places.size());
 

@@ -1,10 +1,14 @@
 // The physical devices of a bus: their node-IDs, names and cars, and the virtual devices of each.
+// The node-IDs here are the usual ones. A fleet may give others (BusDesign::node_ids): then these
+// are keys, by which a device is named inside, and BusDesign has the node-ID on the cable.
 //
 //     for (const DevicePlace& place : device_places) units_at(place.id) ...
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +17,9 @@
 #include "canvoy/devices/cia407/kit/bus_kind.hpp"
 
 namespace canvoy::bus_line {
+
+/// Names a device inside: its usual node-ID, or added_key() of an added device.
+using DeviceKey = std::uint8_t;
 
 inline constexpr NodeId computer_id = 1;  ///< on-board computer with the line control; NMT master
 inline constexpr NodeId identification_id = 2;     ///< login of driver, line, block and journey
@@ -31,21 +38,35 @@ inline constexpr NodeId first_counter_id = 20;     ///< passenger counter of doo
 inline constexpr NodeId counting_manager_id = 21;  ///< sums of the counters
 inline constexpr NodeId second_counter_id = 22;    ///< passenger counter of door 2
 inline constexpr NodeId train_gateway_id = 30;     ///< gateway to the train bus
-// Devices in the second car, which has a segment of its own: its node-IDs do not occur in the
-// first.
-inline constexpr NodeId second_gateway_id = 31;      ///< gateway to the train bus; NMT master there
-inline constexpr NodeId second_destination_id = 34;  ///< destination
-inline constexpr NodeId second_next_stop_id = 35;    ///< next stop, with the sign
-inline constexpr NodeId second_announcer_id = 39;    ///< acoustic announcer
+
+inline constexpr unsigned cars_max = 4;  ///< coupled to one train
+// Devices in the cars behind the first one, each with a segment of its own: ten node-IDs for each
+// car, none of which occurs in another, so that one list of names is right for all cables.
+/// Gateway of car 2, 3 or 4 to the train bus; the NMT master there.
+constexpr NodeId gateway_of(unsigned car) {
+  return static_cast<NodeId>(10 * car + 11);
+}
+/// Destination, in car 2, 3 or 4.
+constexpr NodeId destination_of(unsigned car) {
+  return static_cast<NodeId>(10 * car + 14);
+}
+/// Next stop indicator of any car, with its sign.
+constexpr NodeId next_stop_of(unsigned car) {
+  return car == 1 ? next_stop_id : static_cast<NodeId>(10 * car + 15);
+}
+/// Acoustic announcer of any car.
+constexpr NodeId announcer_of(unsigned car) {
+  return car == 1 ? announcer_id : static_cast<NodeId>(10 * car + 19);
+}
 
 /// A physical device of the bus.
 struct DevicePlace {
   NodeId id = 0;          ///< 1 to 127
   std::string_view name;  ///< in files and logs
-  unsigned car = 1;       ///< 1 or 2
+  unsigned car = 1;       ///< 1 to 4
 };
-/// In the order of their node-IDs.
-inline constexpr std::array<DevicePlace, 21> device_places = {{
+/// In the order of their node-IDs, and so in that of the cars.
+inline constexpr std::array<DevicePlace, 29> device_places = {{
     {computer_id, "on-board-computer"},
     {identification_id, "identification"},
     {front_display_id, "destination-front"},
@@ -63,24 +84,48 @@ inline constexpr std::array<DevicePlace, 21> device_places = {{
     {counting_manager_id, "counting-manager"},
     {second_counter_id, "counter-2"},
     {train_gateway_id, "train-gateway"},
-    {second_gateway_id, "second-gateway", 2},
-    {second_destination_id, "second-destination", 2},
-    {second_next_stop_id, "second-next-stop", 2},
-    {second_announcer_id, "second-announcer", 2},
+    {gateway_of(2), "second-gateway", 2},
+    {destination_of(2), "second-destination", 2},
+    {next_stop_of(2), "second-next-stop", 2},
+    {announcer_of(2), "second-announcer", 2},
+    {gateway_of(3), "third-gateway", 3},
+    {destination_of(3), "third-destination", 3},
+    {next_stop_of(3), "third-next-stop", 3},
+    {announcer_of(3), "third-announcer", 3},
+    {gateway_of(4), "fourth-gateway", 4},
+    {destination_of(4), "fourth-destination", 4},
+    {next_stop_of(4), "fourth-next-stop", 4},
+    {announcer_of(4), "fourth-announcer", 4},
 }};
+/// Cars with devices in device_places for a bus of so many: that of one car has those of a second
+/// one, without power.
+constexpr unsigned cars_made(unsigned cars) {
+  return std::max(2U, cars);
+}
+/// The devices of a bus of so many cars; see cars_made().
+constexpr std::span<const DevicePlace> places_of(unsigned cars) {
+  const auto end = std::ranges::find_if(
+      device_places, [cars](const DevicePlace& place) { return place.car > cars_made(cars); });
+  return {device_places.begin(), end};
+}
+static_assert(places_of(2).size() == 21 && places_of(4).size() == device_places.size());
 /// Car of a device; 1 for a node-ID that is none of them.
 constexpr unsigned car_of(NodeId id) {
   const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
   return place == device_places.end() ? 1 : place->car;
+}
+/// Node-ID of the device that starts those of a car.
+constexpr NodeId master_in(unsigned car) {
+  return car == 1 ? computer_id : gateway_of(car);
+}
+/// Key of the device that was added as the `number`-th one, 0 the first: beyond all node-IDs.
+constexpr DeviceKey added_key(std::size_t number) {
+  return static_cast<DeviceKey>(node_id_max + 1 + number);
 }
 /// The virtual devices of one of them, as the catalogue names them:
 /// `geographical-positioning+time-fixing`.
 std::string device_name_of(NodeId id);
 /// The virtual devices of a physical device.
 std::span<const cia407::BusUnit* const> units_at(NodeId id);
-/// Node-ID of the device that starts this one; its own, where it starts the others.
-constexpr NodeId master_of(NodeId id) {
-  return car_of(id) == 1 ? computer_id : second_gateway_id;
-}
 
 }  // namespace canvoy::bus_line

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -60,11 +62,11 @@ const RealCase real_cases[] = {
     {second_counter_id, units<PassengerCounterKind>, "passengers "},
     {train_gateway_id, units<TrainBusGatewayKind>,
      "second_car second_announcements second_stop_sign false_stop_sign "},
-    {second_gateway_id, units<TrainBusGatewayKind>,
+    {gateway_of(2), units<TrainBusGatewayKind>,
      "pdo_tables second_car second_announcements second_stop_sign false_stop_sign "},
-    {second_destination_id, units<TextDisplay<InformationClass::destination>>, ""},
-    {second_next_stop_id, units<TextDisplay<InformationClass::next_stop>>, "second_stop_sign "},
-    {second_announcer_id, units<AcousticAnnouncerKind>, "second_announcements "},
+    {destination_of(2), units<TextDisplay<InformationClass::destination>>, ""},
+    {next_stop_of(2), units<TextDisplay<InformationClass::next_stop>>, "second_stop_sign "},
+    {announcer_of(2), units<AcousticAnnouncerKind>, "second_announcements "},
 };
 
 std::string undecided(const BusNetwork& network) {
@@ -166,7 +168,7 @@ TEST_P(RealBusDevice, HasItsPlaceAndIsSupervised) {
   BusWith bus(GetParam());
   bus.node.power(true);
   bus.network.run_until(Time(30s));
-  if (GetParam().id == computer_id || GetParam().id == second_gateway_id) bus.start_all();
+  if (GetParam().id == computer_id || GetParam().id == gateway_of(2)) bus.start_all();
   bus.network.run_until(Time(driven));
   EXPECT_TRUE(bus.node.is_operational());
   EXPECT_EQ(undecided(bus.network),
@@ -202,7 +204,7 @@ TEST(RealBusDevices, AllPlacesAreTried) {
 
 // Its text follows the simulated vehicle, in both cars; and again after the display returns.
 TEST(RealBusDevices, ADisplayFollowsTheVehicle) {
-  for (const NodeId id : {next_stop_id, second_next_stop_id}) {
+  for (const NodeId id : {next_stop_id, next_stop_of(2)}) {
     BusWith bus(case_of(id));
     bus.node.power(true);
     bus.network.run_until(Time(9min + 30s));
@@ -245,7 +247,7 @@ TEST(RealBusDevices, AVehicleGatewayLeadsTheVehicle) {
 }
 
 TEST(RealBusDevices, AnAnnouncerHasItsCues) {
-  for (const NodeId id : {announcer_id, second_announcer_id}) {
+  for (const NodeId id : {announcer_id, announcer_of(2)}) {
     BusWith bus(case_of(id));
     bus.node.power(true);
     bus.network.run_until(Time(10min));

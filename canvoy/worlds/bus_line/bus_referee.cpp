@@ -26,6 +26,8 @@ Duration bound_of(InvariantKind kind) {
     case InvariantKind::pdo_tables:
     case InvariantKind::service:
     case InvariantKind::second_announcements:
+    case InvariantKind::third_announcements:
+    case InvariantKind::fourth_announcements:
     case InvariantKind::early_departure:
     case InvariantKind::left_behind:
       return {};
@@ -39,6 +41,8 @@ bool holds_from_the_beginning(InvariantKind kind) {
   switch (kind) {
     case InvariantKind::stop_sign:
     case InvariantKind::second_stop_sign:
+    case InvariantKind::third_stop_sign:
+    case InvariantKind::fourth_stop_sign:
     case InvariantKind::false_stop_sign:
     case InvariantKind::passengers:
     case InvariantKind::overcrowded:

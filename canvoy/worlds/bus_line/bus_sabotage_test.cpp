@@ -131,23 +131,23 @@ TEST(BusSabotage, ACancellerThatTakesNoTickets) {
 }
 
 TEST(BusSabotage, ASecondCarThatIsDark) {
-  EXPECT_EQ(played({.cuts_second_car = true}), "second_car ");
+  EXPECT_EQ(played({.cut_car = 2}), "second_car ");
 }
 
 TEST(BusSabotage, ASecondCarThatShowsItsFirstStopForEver) {
-  EXPECT_EQ(played({.freezes_second_car = true}), "lie ");
+  EXPECT_EQ(played({.frozen_car = 2}), "lie ");
 }
 
 TEST(BusSabotage, ASecondCarThatIsSilent) {
-  EXPECT_EQ(played({.mute_second_announcer = true}), "second_announcements ");
+  EXPECT_EQ(played({.mute_car = 2}), "second_announcements ");
 }
 
 TEST(BusSabotage, ASignOfTheSecondCarWithoutALamp) {
-  EXPECT_EQ(played({.no_second_sign_lamp = true}), "second_stop_sign ");
+  EXPECT_EQ(played({.unlit_car = 2}), "second_stop_sign ");
 }
 
 TEST(BusSabotage, ButtonsOfTheSecondCarThatAreNotWired) {
-  EXPECT_EQ(played({.dead_second_button = true}), "second_stop_sign ");
+  EXPECT_EQ(played({.dead_button_car = 2}), "second_stop_sign ");
 }
 
 TEST(BusSabotage, ASignThatIsLitForEver) {

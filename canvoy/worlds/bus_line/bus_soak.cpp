@@ -11,7 +11,7 @@ constexpr std::uint32_t bus_faults_max = 6;
 constexpr Duration bus_quiet = 30min;
 
 ScheduledFault any_bus_fault(Random& random, Time start) {
-  return soak_fault<FaultKind>(random, start, device_places.size(),
+  return soak_fault<FaultKind>(random, start, places_of(BusDesign{}.cars).size(),
                                [](std::size_t i) { return device_places.at(i).id; });
 }
 

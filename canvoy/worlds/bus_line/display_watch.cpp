@@ -13,8 +13,8 @@ namespace {
 /// A shorter text of the route has room for another stop.
 constexpr std::size_t way_full_from = 100;
 
-bool is_next_stop(NodeId id) {
-  return id == next_stop_id || id == second_next_stop_id;
+bool is_next_stop(DeviceKey key) {
+  return key == next_stop_of(car_of(key));
 }
 
 }  // namespace
@@ -38,73 +38,78 @@ DisplayWatch::DisplayWatch(BusNodes& nodes, const BusLine& line, const BusDispla
 void DisplayWatch::displays_changed() {
   has_news_ = true;
   const Time now = nodes_.world().now();
-  for (const NodeId id : display_ids) {
-    const ShownDisplay* display = displays_.find(id);
+  for (const DeviceKey key : display_ids) {
+    const ShownDisplay* display = displays_.find(key);
     if (display == nullptr) continue;
     const std::string& text = display->text();
-    if (text != told_texts_.at(id)) {
-      told_texts_.at(id) = text;
-      events_.note(now, DisplayShows{id, text});
+    if (text != told_texts_.at(key)) {
+      told_texts_.at(key) = text;
+      events_.note(now, DisplayShows{nodes_.id(key), text});
       if (!text.empty()) ++texts_;
     }
     const std::u32string& shown = display->reading();
-    // In the second car, line and destination come one after the other.
-    if (std::exchange(readings_.at(id), shown) == shown || car_of(id) != 1) continue;
-    referee_.judge_one(InvariantKind::texts, now, shown.empty() || says_any(id, shown));
+    // Behind the first car, line and destination come one after the other.
+    if (std::exchange(readings_.at(key), shown) == shown || car_of(key) != 1) continue;
+    referee_.judge_one(InvariantKind::texts, now, shown.empty() || says_any(key, shown));
   }
 }
 
 void DisplayWatch::judge(Time now) {
   if (std::exchange(has_news_, false)) {
-    for (const NodeId id : display_ids) seen_.at(id) = look(id);
+    for (const DeviceKey key : display_ids) {
+      if (displays_.find(key) != nullptr) seen_.at(key) = look(key);
+    }
   }
-  const bool has_lie = std::ranges::any_of(
-      display_ids, [this](NodeId id) { return is_led_by_us(id) && seen_.at(id) == Seen::lie; });
+  const bool has_lie = std::ranges::any_of(display_ids, [this](DeviceKey key) {
+    return is_led_by_us(key) && seen_.at(key) == Seen::lie;
+  });
   referee_.judge(InvariantKind::next_stop, now, can_be_read(next_stop_id));
   referee_.judge(InvariantKind::destination, now,
                  can_be_read(front_display_id) && can_be_read(side_display_id));
   referee_.judge(InvariantKind::information, now, can_be_read(information_id));
-  referee_.judge(InvariantKind::second_car, now,
-                 can_be_read(second_destination_id) && can_be_read(second_next_stop_id));
+  for (unsigned car = 2; car <= nodes_.cars(); ++car) {
+    referee_.judge(car_kind(car), now,
+                   can_be_read(destination_of(car)) && can_be_read(next_stop_of(car)));
+  }
   referee_.judge_honesty(now, !has_lie);
 }
 
-bool DisplayWatch::can_be_read(NodeId id) const {
-  return !nodes_.is_played(id) || seen_.at(id) != Seen::unreadable;
+bool DisplayWatch::can_be_read(DeviceKey key) const {
+  return !nodes_.is_played(key) || seen_.at(key) != Seen::unreadable;
 }
 
 /// True if what it shows comes from simulated devices.
-bool DisplayWatch::is_led_by_us(NodeId id) const {
-  return car_of(id) == 1 ||
-         (nodes_.is_played(second_gateway_id) && nodes_.is_played(train_gateway_id));
+bool DisplayWatch::is_led_by_us(DeviceKey key) const {
+  return car_of(key) == 1 ||
+         (nodes_.is_played(gateway_of(car_of(key))) && nodes_.is_played(train_gateway_id));
 }
 
-DisplayWatch::Seen DisplayWatch::look(NodeId id) const {
-  const std::u32string& shown = displays_.at(id).reading();
+DisplayWatch::Seen DisplayWatch::look(DeviceKey key) const {
+  const std::u32string& shown = displays_.at(key).reading();
   if (shown.empty()) return Seen::unreadable;
   const BusTruth truth = vehicle_.truth();
-  if (says(id, shown, *truth.route, {truth.place, truth.reached()})) return Seen::right;
-  return says_any(id, shown) ? Seen::lie : Seen::unreadable;
+  if (says(key, shown, *truth.route, {truth.place, truth.reached()})) return Seen::right;
+  return says_any(key, shown) ? Seen::lie : Seen::unreadable;
 }
 
 /// True if it has its text for this position on this route.
-bool DisplayWatch::says(NodeId id, const std::u32string& shown, const BusRoute& route,
+bool DisplayWatch::says(DeviceKey key, const std::u32string& shown, const BusRoute& route,
                         const Place& place) const {
-  if (is_next_stop(id)) return is_spelled(shown, name(route, place.next));
+  if (is_next_stop(key)) return is_spelled(shown, name(route, place.next));
   const std::u32string destination = code_points(route.destination_at(place.reached));
-  if (id == information_id) return says_way(shown, route, destination);
+  if (key == information_id) return says_way(shown, route, destination);
   return is_spelled(shown, line_name(route) + U" " + destination);
 }
 
 /// True if it may show this text on this line at any time.
-bool DisplayWatch::says_any(NodeId id, const std::u32string& shown) const {
-  if (is_next_stop(id)) {
+bool DisplayWatch::says_any(DeviceKey key, const std::u32string& shown) const {
+  if (is_next_stop(key)) {
     return std::ranges::any_of(names_, [&](const auto& name) { return is_spelled(shown, name); });
   }
   return std::ranges::any_of(line_.routes, [&](const BusRoute& route) {
     for (std::size_t i = 0; i < route.stops.size(); ++i) {
       const bool is_other = i == 0 || route.destination_at(i) != route.destination_at(i - 1);
-      if (is_other && says(id, shown, route, {i, i})) return true;
+      if (is_other && says(key, shown, route, {i, i})) return true;
     }
     return false;
   });

@@ -44,12 +44,12 @@ class DisplayWatch {
     std::size_t reached = 0;
   };
 
-  bool can_be_read(NodeId id) const;
-  bool is_led_by_us(NodeId id) const;
-  Seen look(NodeId id) const;
-  bool says(NodeId id, const std::u32string& shown, const BusRoute& route,
+  bool can_be_read(DeviceKey key) const;
+  bool is_led_by_us(DeviceKey key) const;
+  Seen look(DeviceKey key) const;
+  bool says(DeviceKey key, const std::u32string& shown, const BusRoute& route,
             const Place& place) const;
-  bool says_any(NodeId id, const std::u32string& shown) const;
+  bool says_any(DeviceKey key, const std::u32string& shown) const;
   bool says_way(const std::u32string& shown, const BusRoute& route,
                 const std::u32string& destination) const;
   bool says_stops(const std::u32string& shown, const BusRoute& route, std::u32string text,

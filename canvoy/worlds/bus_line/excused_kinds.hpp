@@ -14,8 +14,8 @@
 namespace canvoy::bus_line {
 
 /// Invariants that cannot hold while a device, or the object of a fault, is missing.
-InvariantSet affected_by(FaultKind kind, NodeId node);
+InvariantSet affected_by(FaultKind kind, DeviceKey device);
 /// Invariants that cannot be judged, or depend on real devices, where these are not simulated here.
-InvariantSet unknown_without(std::span<const NodeId> real);
+InvariantSet unknown_without(std::span<const DeviceKey> real);
 
 }  // namespace canvoy::bus_line

@@ -43,23 +43,19 @@ std::optional<GeoPoint> position_in(const Frame& frame) {
 
 }  // namespace
 
+HeardBus::HeardBus(const BusLine& line, const BusDesign& design)
+    : line_(line),
+      ids_(message_ids(design)),
+      nodes_{id_of(design, computer_id), id_of(design, identification_id),
+             id_of(design, vehicle_gateway_id), id_of(design, positioning_id),
+             id_of(design, counting_manager_id)} {}
+
 HeardBus::Source HeardBus::source_of(std::uint32_t can_id) const {
-  switch (can_id) {
-    case block_message:
-    case can_id::error_control + identification_id:
-      return identification;
-    case route_message:
-    case stop_message:
-    case can_id::error_control + computer_id:
-      return computer;
-    case can_id::error_control + vehicle_gateway_id:
-      return gateway;
-    case can_id::error_control + positioning_id:
-      return positioning;
-    case can_id::error_control + counting_manager_id:
-      return counting;
-    default:
-      break;
+  if (can_id == block_message) return identification;
+  if (can_id == route_message || can_id == stop_message) return computer;
+  for (std::size_t source = 0; source < nodes_.size(); ++source) {
+    if (can_id == std::uint32_t{can_id::error_control} + nodes_[source])
+      return static_cast<Source>(source);
   }
   if (can_id == ids_.motion || can_id == ids_.mileage) return gateway;
   if (can_id == ids_.position) return positioning;

@@ -41,7 +41,7 @@ class HeardBus {
   };
 
   /// The line must outlive this object.
-  explicit HeardBus(const BusLine& line, const MessageIds& ids = {}) : line_(line), ids_(ids) {}
+  explicit HeardBus(const BusLine& line, const BusDesign& design = {});
   HeardBus(const HeardBus&) = delete;
   HeardBus& operator=(const HeardBus&) = delete;
 
@@ -80,6 +80,7 @@ class HeardBus {
 
   const BusLine& line_;
   MessageIds ids_;
+  std::array<NodeId, sources> nodes_;  ///< node-ID of each source
   std::array<Heard, sources> heard_{};
   const Journey* journey_ = nullptr;
   std::optional<std::uint32_t> stop_point_{};

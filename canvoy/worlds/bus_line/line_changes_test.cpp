@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "canvoy/worlds/bus_line/bus_day_test.hpp"
 

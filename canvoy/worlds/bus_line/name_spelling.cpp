@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "canvoy/sim/plants/sign_reader.hpp"
 

@@ -75,23 +75,26 @@ LineControlHardware OnBoardComputer::line_control_hardware() {
 }
 
 LineControlSettings OnBoardComputer::line_control_settings() {
+  const auto id = [this](DeviceKey key) { return nodes_.id(key); };
+  const MessageIds messages = message_ids(options_.design);
   LineControlSettings settings{
       .line = &options_.line,
-      .displays = {{front_display_id, DisplayUse::destination},
-                   {side_display_id, DisplayUse::destination},
-                   {next_stop_id, DisplayUse::next_stop},
-                   {information_id, DisplayUse::information},
-                   {train_gateway_id, DisplayUse::train}},
-      .identification = identification_id,
+      .displays = {{id(front_display_id), DisplayUse::destination},
+                   {id(side_display_id), DisplayUse::destination},
+                   {id(next_stop_id), DisplayUse::next_stop},
+                   {id(information_id), DisplayUse::information},
+                   {id(train_gateway_id), DisplayUse::train}},
+      .identification = id(identification_id),
       .identification_time_out = nodes_.heartbeat_time_out(identification_id),
-      .positioning = positioning_id,
-      .doors = vehicle_gateway_id,
-      .train_stop_request_id = static_cast<std::uint16_t>(options_.design.ids.train_stop_request),
-      .train_gateway = train_gateway_id,
-      .sources = {identification_id, positioning_id, vehicle_gateway_id, counting_manager_id}};
+      .positioning = id(positioning_id),
+      .doors = id(vehicle_gateway_id),
+      .train_stop_request_id = static_cast<std::uint16_t>(messages.train_stop_request),
+      .train_gateway = id(train_gateway_id),
+      .sources = {id(identification_id), id(positioning_id), id(vehicle_gateway_id),
+                  id(counting_manager_id)}};
   for (const DevicePlace& place : device_places) {
     const bool is_other = place.id != computer_id && place.car == 1;
-    if (is_other && nodes_.is_there(place.id)) settings.nodes.push_back(place.id);
+    if (is_other && nodes_.is_there(place.id)) settings.nodes.push_back(id(place.id));
   }
   for (const AddedDevice& added : options_.design.added) {
     if (added.car != 1) continue;

@@ -12,15 +12,16 @@ namespace {
 
 constexpr std::uint32_t short_heartbeat_ms = 500;
 
-void link(BusNodes& nodes, NodeId sender, std::span<const std::uint32_t> sent, std::uint32_t can_id,
-          std::span<const std::uint32_t> received, std::initializer_list<NodeId> receivers) {
+void link(BusNodes& nodes, DeviceKey sender, std::span<const std::uint32_t> sent,
+          std::uint32_t can_id, std::span<const std::uint32_t> received,
+          std::initializer_list<DeviceKey> receivers) {
   nodes.node(sender).preset_tpdo(sent, can_id);
-  for (const NodeId receiver : receivers) nodes.node(receiver).preset_rpdo(received, can_id);
+  for (const DeviceKey receiver : receivers) nodes.node(receiver).preset_rpdo(received, can_id);
 }
 
 void link_messages(BusNodes& nodes) {
   using namespace cia407;
-  const MessageIds& ids = nodes.design().ids;
+  const MessageIds ids = message_ids(nodes.design());
   link(nodes, vehicle_gateway_id, motion_mapping, ids.motion, motion_mapping, {computer_id});
   link(nodes, vehicle_gateway_id, motion_mapping, ids.motion, doors_only_mapping,
        {driver_display_id, first_counter_id, counting_manager_id, second_counter_id});
@@ -40,13 +41,15 @@ void link_messages(BusNodes& nodes) {
 void link_added(BusNodes& nodes) {
   using namespace cia407;
   constexpr std::uint32_t second_tpdo = 0x280;
+  const std::uint32_t motion = message_ids(nodes.design()).motion;
   unsigned number = 2;  // of the counting manager's RPDOs
   for (const AddedDevice& added : nodes.design().added) {
     if (added.car != 1) continue;
-    nodes.node(added.id).preset_rpdo(doors_only_mapping, nodes.design().ids.motion);
+    BusNode& node = nodes.node(key_of(nodes.design(), added.id));
+    node.preset_rpdo(doors_only_mapping, motion);
     if (added.door == 0) continue;
     const std::uint32_t count = second_tpdo + added.id;
-    nodes.node(added.id).preset_tpdo(door_count_mapping, count);
+    node.preset_tpdo(door_count_mapping, count);
     nodes.node(counting_manager_id).preset_rpdo(door_count_mapping, count, number++);
   }
 }
@@ -55,9 +58,9 @@ void link_added(BusNodes& nodes) {
 /// gateway that requests it.
 void link_stop_requests(BusNodes& nodes) {
   using namespace cia407;
-  const MessageIds& ids = nodes.design().ids;
-  for (const NodeId sender : {computer_id, second_gateway_id}) {
-    nodes.node(sender).preset_tpdo(stop_request_mapping, ids.stop_request);
+  const MessageIds ids = message_ids(nodes.design());
+  for (unsigned car = 1; car <= nodes.cars(); ++car) {
+    nodes.node(master_in(car)).preset_tpdo(stop_request_mapping, ids.stop_request);
   }
   for (const auto& node : nodes.all()) node->preset_rpdo(stop_request_mapping, ids.stop_request);
   nodes.node(train_gateway_id).preset_tpdo(stop_request_mapping, ids.train_stop_request);
@@ -65,22 +68,23 @@ void link_stop_requests(BusNodes& nodes) {
 
 void watch_heartbeats(BusNodes& nodes) {
   for (const auto& node : nodes.all()) {
-    const NodeId id = node->place().id;
-    if (id == computer_id || id == identification_id || id == second_gateway_id) {
+    const DeviceKey key = node->place().key;
+    const DeviceKey master = nodes.master_of(key);
+    if (key == master || key == identification_id) {
       node->preset({object_index::heartbeat_producer, 0, short_heartbeat_ms});
     }
-    if (const auto own = nodes.design().heartbeats.find(id);
+    if (const auto own = nodes.design().heartbeats.find(key);
         own != nodes.design().heartbeats.end()) {
       const auto period = std::chrono::duration_cast<std::chrono::milliseconds>(own->second);
       node->preset(
           {object_index::heartbeat_producer, 0, static_cast<std::uint32_t>(period.count())});
     }
-    if (id == computer_id || id == second_gateway_id) continue;
-    const NodeId master = nodes.master_of(id);
+    if (key == master) continue;
     const auto time =
         std::chrono::duration_cast<std::chrono::milliseconds>(nodes.heartbeat_time_out(master));
-    node->preset({object_index::heartbeat_consumers, 1,
-                  std::uint32_t{master} << 16 | static_cast<std::uint32_t>(time.count())});
+    node->preset(
+        {object_index::heartbeat_consumers, 1,
+         std::uint32_t{nodes.id(master)} << 16 | static_cast<std::uint32_t>(time.count())});
   }
 }
 

@@ -95,6 +95,13 @@ Riders::Goals Riders::goals_behind(const Journey& journey, const BusRoute& route
   return goals;
 }
 
+/// Car in which the passenger with this number rides.
+unsigned Riders::car_of(std::uint64_t number) const {
+  const unsigned every = options_.behind_every;
+  if (options_.cars == 1 || every == 0 || number % every != 0) return 1;
+  return static_cast<unsigned>(2 + (number / every - 1) % (options_.cars - 1));
+}
+
 void Riders::add_person(std::size_t stop, const Goals& goals, const std::function<Time()>& comes) {
   Rider rider{.from = stop, .to = draw_goal(goals.stops, goals.weights)};
   rider.comes = comes();
@@ -104,8 +111,7 @@ void Riders::add_person(std::size_t stop, const Goals& goals, const std::functio
   }
   rider.has_ticket = rider.ticket == Ticket::pass;
   rider.number = ++people_;
-  const unsigned every = options_.second_car_every;
-  if (every != 0 && rider.number % every == 0) rider.car = 2;
+  rider.car = car_of(rider.number);
   waiting_.push_back(rider);
 }
 

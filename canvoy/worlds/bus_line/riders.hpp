@@ -41,7 +41,7 @@ struct Rider {
   bool has_ticket = false;       ///< one that is valid
   Time boarded = never;          ///< time of getting in; never: waits still
   std::uint64_t number = 0;      ///< number since the beginning, from 1 on
-  unsigned car = 1;              ///< car in which the passenger rides
+  unsigned car = 1;              ///< car in which the passenger rides, 1 to 4
 };
 
 /// Use of a door, in the order of the doors from the front.
@@ -86,7 +86,9 @@ struct RiderOptions {
   Duration come_before_max = 8min;   ///< a person comes at most this much before the departure
   FindAhead ahead{};  ///< empty: people come by the timetable; else lines and journeys that riders
                       ///< get must outlive them
-  unsigned second_car_every = 0;  ///< every so-many-th passenger rides in the second car; 0: none
+  unsigned cars = 1;  ///< of the train
+  unsigned behind_every = 0;  ///< of several cars, every so-many-th passenger rides in one behind
+                              ///< the first, in turns; 0: nobody
 };
 
 /// Counts since the beginning.
@@ -177,6 +179,7 @@ class Riders {
   void draw_stop(const Journey& journey, const BusRoute& route, std::size_t stop, Time zero);
   void draw_at_random(Time now, std::size_t stop);
   Goals goals_behind(const Journey& journey, const BusRoute& route, std::size_t stop) const;
+  unsigned car_of(std::uint64_t number) const;
   void add_person(std::size_t stop, const Goals& goals, const std::function<Time()>& comes);
   std::size_t draw_goal(const std::vector<std::size_t>& goals, const std::vector<double>& weights);
   void plan_presses(Time now, std::size_t stop);

@@ -23,24 +23,29 @@ void VehicleSensors::add_nodes() {
 void VehicleSensors::add_vehicle_devices() {
   using namespace cia407;
   Environment& gateway = nodes_.add_site();
-  gateway.provide(callback<&VehicleSensors::gateway_hardware>(*this));
+  gateway.provide(Callback<VehicleGatewayHardware()>::to<&VehicleSensors::gateway_hardware>(*this));
   nodes_.add(vehicle_gateway_id, gateway);
   Environment& tachograph = nodes_.add_site();
-  tachograph.provide(callback<&VehicleSensors::tachograph_hardware>(*this));
+  tachograph.provide(
+      Callback<TachographHardware()>::to<&VehicleSensors::tachograph_hardware>(*this));
   nodes_.add(tachograph_id, tachograph);
   nodes_.add(driver_display_id, nodes_.add_site());
   Environment& satellites = nodes_.add_site();
-  satellites.provide(callback<&VehicleSensors::positioning_hardware>(*this));
-  satellites.provide(callback<&VehicleSensors::time_hardware>(*this));
+  satellites.provide(
+      Callback<PositioningHardware()>::to<&VehicleSensors::positioning_hardware>(*this));
+  satellites.provide(Callback<TimeFixingHardware()>::to<&VehicleSensors::time_hardware>(*this));
   nodes_.add(positioning_id, satellites);
 }
 
 void VehicleSensors::add_counters() {
   using namespace cia407;
-  counters_.push_back({.id = first_counter_id, .door = 1});
-  counters_.push_back({.id = second_counter_id, .door = 2});
+  using Settings = PassengerCounterSettings;
+  using Unit = PassengerCounterUnit;
+  counters_.push_back({.key = first_counter_id, .door = 1});
+  counters_.push_back({.key = second_counter_id, .door = 2});
   for (const AddedDevice& added : nodes_.design().added) {
-    if (added.door != 0) counters_.push_back({.id = added.id, .door = added.door});
+    if (added.door == 0) continue;
+    counters_.push_back({.key = key_of(nodes_.design(), added.id), .door = added.door});
   }
   const auto site_of = [this](DoorCounter& counter) -> Environment& {
     Environment& environment = nodes_.add_site();
@@ -57,7 +62,8 @@ void VehicleSensors::add_counters() {
   nodes_.add(counting_manager_id, manager);
   nodes_.add(second_counter_id, site_of(counters_[1]));
   for (const AddedDevice& added : nodes_.design().added) {
-    const auto counter = std::ranges::find(counters_, added.id, &DoorCounter::id);
+    const DeviceKey key = key_of(nodes_.design(), added.id);
+    const auto counter = std::ranges::find(counters_, key, &DoorCounter::key);
     nodes_.add(added, counter == counters_.end() ? nodes_.add_site() : site_of(*counter));
   }
 }
@@ -65,7 +71,7 @@ void VehicleSensors::add_counters() {
 void VehicleSensors::passed(std::size_t door, bool is_in) {
   const auto counter = std::ranges::find(counters_, door + 1, &DoorCounter::door);
   if (counter == counters_.end() || (door == 0 && sabotage_.blind_counter)) return;
-  nodes_.node(counter->id).with([&] {
+  nodes_.node(counter->key).with([&] {
     is_in ? counter->unit->count_in() : counter->unit->count_out();
   });
 }
@@ -77,7 +83,7 @@ void VehicleSensors::clear_counts() {
 bool VehicleSensors::count_passengers() {
   return nodes_.is_at_work(counting_manager_id) && nodes_.is_at_work(vehicle_gateway_id) &&
          std::ranges::all_of(counters_, [this](const DoorCounter& counter) {
-           return nodes_.is_at_work(counter.id);
+           return nodes_.is_at_work(counter.key);
          });
 }
 

@@ -53,7 +53,7 @@ class VehicleSensors {
   struct DoorCounter {
     cia407::PassengerCounterSettings settings() { return {.door = door}; }
 
-    NodeId id = 0;
+    DeviceKey key = 0;
     unsigned door = 0;
     cia407::PassengerCounterUnit* unit = nullptr;
   };
