@@ -41,7 +41,7 @@ TEST_P(PoliceFaultPairs, WithEachOtherKind) {
     const auto is_reported = [over](const EmergencyCall& call) {
       return call.reported && *call.reported > over;
     };
-    while (network.now() < Time(35min) && std::ranges::none_of(network.calls(), is_reported)) {
+    while (network.now() < Time(50min) && std::ranges::none_of(network.calls(), is_reported)) {
       network.run_until(network.now() + 1min);
     }
     EXPECT_EQ(broken_names(network), "");
