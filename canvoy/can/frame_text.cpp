@@ -97,8 +97,12 @@ constexpr std::array<char, 512> pairs_of_hex = [] {
 FrameText::FrameText(const Frame& frame) {
   if (frame.is_error()) {
     put_hex((frame.id & Frame::extended_id_max) | error_flag, 8);
-  } else {
+  } else if (frame.is_extended() || frame.id >> 12 != 0) {
     put_hex(frame.id, frame.is_extended() ? 8 : 3);
+  } else {
+    characters_[0] = digits_of_hex[frame.id >> 8];
+    std::memcpy(&characters_[1], &pairs_of_hex[std::size_t{2} * (frame.id & 0xFF)], 2);
+    length_ = 3;
   }
   put('#');
   if (frame.is_remote()) {

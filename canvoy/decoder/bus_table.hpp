@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "canvoy/can/check_invariant.hpp"
+#include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::decoder {
 
@@ -32,7 +33,8 @@ class BusTable {
   /// call, else linear in the number of buses.
   template <class Make>
   Bus& at(std::string_view name, const Make& make) {
-    if (last_ >= rooms_.size() || rooms_[last_].name != name) last_ = find(name, make);
+    if (last_ >= rooms_.size() || !formats::same_bytes(rooms_[last_].name, name))
+      last_ = find(name, make);
     Room& room = rooms_[last_];
     room.heard = ++heard_;
     return *room.bus;

@@ -18,6 +18,7 @@
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/load/load.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/other_names.hpp"
 #include "canvoy/tools/node/typed_options.hpp"
 #include "canvoy/tools/node/typed_words.hpp"
 #include "canvoy/tools/terminal/message.hpp"
@@ -69,6 +70,10 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"plot", add_plot},
     {"browse", add_browse},
 });
+
+static_assert(std::ranges::all_of(verb_entries, [](const VerbEntry& verb) {
+  return std::ranges::find(verb_names, verb.name) != verb_names.end();
+}));
 
 /// Adds only the called verb if it is unambiguous: describing all of them takes longer than most of
 /// them run.

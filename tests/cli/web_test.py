@@ -519,7 +519,7 @@ class ActsTest(CommandTest):
             at = words.index("--for")
             self.assertEqual(self.played(folder, *words[:at], *words[at + 2:])[:len(heard)], heard)
             self.assertEqual(self.played(folder, "run", file)[:len(heard)], heard)
-            link = "http://127.0.0.1:1/#" + urllib.parse.urlencode([("seed", plan["seed"]), *(("act", act) for act in plan["acts"])])
+            link = "http://127.0.0.1/#" + urllib.parse.urlencode([("seed", plan["seed"]), *(("act", act) for act in plan["acts"])])
             self.assertEqual(self.played(folder, *lift, "--link", link)[:len(heard)], heard)
             self.assertNotEqual(self.played(folder, *lift)[:len(heard)], heard)
 

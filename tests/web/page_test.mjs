@@ -416,6 +416,14 @@ test("a visitor goes where the page's user says, and nobody is made up", async (
     await page.getByText("A visitor at floor 2 wants to floor 5.").waitFor();
     await page.getByRole("button", { name: "Somebody at floor 2 wants down" }).click();
     await page.getByText("A visitor at floor 2 wants to floor 1.").waitFor();
+    // Both are part of the run: of its command, of the link, and of the address.
+    await page.getByRole("button", { name: "Share" }).click();
+    const command = await page.locator("#share-command").inputValue();
+    assert.match(command, / --act visit:from=2:to=5@[0-9.]+(us|ms|s|min) --act visit:from=2:to=1@[0-9.]+(us|ms|s|min)$/);
+    const acts = (url) => new URLSearchParams(new URL(url).hash.slice(1)).getAll("act");
+    assert.equal(acts(await page.locator("#share-link").inputValue()).length, 2);
+    assert.deepEqual(acts(page.url()), acts(await page.locator("#share-link").inputValue()));
+    await page.getByText("2 visitors, reads, writes and commands").waitFor();
   });
 });
 

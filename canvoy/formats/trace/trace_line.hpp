@@ -62,8 +62,13 @@ class TraceLine {
 
   /// Adds upper-case hexadecimal digits, at least `digits`.
   void put_hex(std::uint32_t value, unsigned digits) {
-    while (digits < 8 && value >> 4 * digits != 0) ++digits;
     char* at = at_;
+    if (digits == 3 && value >> 12 == 0) {  // most identifiers
+      *at = hex_characters[value >> 8];
+      at_ = put_byte(at + 1, static_cast<std::uint8_t>(value));
+      return;
+    }
+    while (digits < 8 && value >> 4 * digits != 0) ++digits;
     for (unsigned digit = digits; digit > 0;) *at++ = hex_characters[value >> 4 * --digit & 0xF];
     at_ = at;
   }

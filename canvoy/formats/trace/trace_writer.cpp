@@ -53,12 +53,8 @@ host::Result<TraceWriter> TraceWriter::onto(int descriptor, const std::string& p
   return writer;
 }
 
-TraceFileEncoder* TraceWriter::file_encoder() const {
-  return encoder_->seeks() ? static_cast<TraceFileEncoder*>(encoder_.get()) : nullptr;
-}
-
 host::Result<void> TraceWriter::open_file() {
-  if (file_encoder() == nullptr) return {};
+  if (file_encoder_ == nullptr) return {};
   std::optional<std::string> place = path_of(file_.get());
   if (!place || deflater_) {
     host::Result<TemporaryTrace> copy = TemporaryTrace::create();
@@ -66,7 +62,7 @@ host::Result<void> TraceWriter::open_file() {
     copy_ = std::make_unique<TemporaryTrace>(*std::move(copy));
     place = copy_->path();
   }
-  return file_encoder()->open(*place, path_);
+  return file_encoder_->open(*place, path_);
 }
 
 TraceWriter::TraceWriter(std::string path, host::Descriptor file, const TraceFormat& format,
@@ -75,6 +71,7 @@ TraceWriter::TraceWriter(std::string path, host::Descriptor file, const TraceFor
       file_(std::move(file)),
       lacks_(format.lacks),
       encoder_(std::move(encoder)),
+      file_encoder_(encoder_->seeks() ? static_cast<TraceFileEncoder*>(encoder_.get()) : nullptr),
       deflater_(names_gzip(path_) ? std::make_unique<Deflater>() : nullptr) {
   buffer_.reserve(buffer_size + buffer_size / 4);
   encoder_->begin(buffer_);
@@ -90,7 +87,7 @@ host::Result<void> TraceWriter::write(const TraceFrame& frame, std::string_view 
   if (failed_) return {};
   if ((lacks_ & ~lost_) != 0) note_lost(frame, comment);
   encoder_->append(buffer_, frame, comment);
-  if (file_encoder() != nullptr) return check_file();
+  if (file_encoder_ != nullptr) return check_file();
   return buffer_.size() >= buffer_size ? flush() : host::Result<void>{};
 }
 
@@ -122,8 +119,8 @@ std::string TraceWriter::lost() const {
 
 host::Result<void> TraceWriter::flush() {
   if (failed_) return {};
-  if (file_encoder() != nullptr) {
-    file_encoder()->flush();
+  if (file_encoder_ != nullptr) {
+    file_encoder_->flush();
     return check_file();
   }
   host::Result<void> written =
@@ -136,7 +133,7 @@ host::Result<void> TraceWriter::finish() {
   if (is_finished_ || failed_) return {};
   is_finished_ = true;
   encoder_->end(buffer_);
-  if (file_encoder() != nullptr) return finish_file();
+  if (file_encoder_ != nullptr) return finish_file();
   host::Result<void> written = flush();
   const std::string header = encoder_->final_header();
   if (!written || failed_ || header.empty() || deflater_) return written;
@@ -148,7 +145,7 @@ host::Result<void> TraceWriter::finish() {
 
 /// What the encoder could not write.
 host::Result<void> TraceWriter::check_file() {
-  const std::string_view problem = file_encoder()->problem();
+  const std::string_view problem = file_encoder_->problem();
   if (problem.empty()) return {};
   failed_ = true;
   return host::Error{path_, std::string(problem), "is there room on the disk?"};
@@ -174,7 +171,7 @@ host::Result<void> TraceWriter::finish_file() {
 }
 
 std::uint64_t TraceWriter::size() const {
-  return file_encoder() != nullptr ? file_encoder()->size() : size_;
+  return file_encoder_ != nullptr ? file_encoder_->size() : size_;
 }
 
 host::Result<void> TraceWriter::write_out(std::string_view bytes) {

@@ -63,7 +63,6 @@ class TraceWriter {
   TraceWriter(std::string path, host::Descriptor file, const TraceFormat& format,
               std::unique_ptr<TraceEncoder> encoder);
   host::Result<void> open_file();
-  TraceFileEncoder* file_encoder() const;
   host::Result<void> check_file();
   host::Result<void> finish_file();
   void note_lost(const TraceFrame& frame, std::string_view comment);
@@ -77,6 +76,7 @@ class TraceWriter {
   std::string latest_bus_;
   bool has_bus_ = false;
   std::unique_ptr<TraceEncoder> encoder_;
+  TraceFileEncoder* file_encoder_;        ///< the same, if it writes a file by itself; else null
   std::unique_ptr<Deflater> deflater_;    ///< null where it is not compressed
   std::unique_ptr<TemporaryTrace> copy_;  ///< of a format that seeks, where the file cannot
   std::string buffer_;

@@ -78,14 +78,30 @@ std::vector<const Profile*> profiles_for(const Profile* known) {
   return profiles;
 }
 
-/// Objects with a name that contains the text.
-std::vector<ObjectAddress> find_parts(const Profile* known, std::string_view text) {
-  const std::string part = plain_name(text);
+/// The parts of a name: `heartbeat producer-time` has three.
+std::vector<std::string> words_of_name(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    constexpr std::string_view between = " _-.,:";
+    if (between.find(c) != std::string_view::npos) {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  std::ranges::transform(words, words.begin(),
+                         [](const std::string& word) { return plain_name(word); });
+  std::erase(words, std::string());
+  return words;
+}
+
+/// Objects with a name that the condition holds for.
+template <class Condition>
+std::vector<ObjectAddress> find_named(const Profile* known, const Condition& is_meant) {
   std::vector<ObjectAddress> found;
-  if (part.empty()) return found;
   for (const Profile* profile : profiles_for(known)) {
     each_value(*profile, [&](const ObjectInfo& object, const EntryInfo& entry) {
-      if (!has_name(plain_name(described_name(object, entry)), part)) return;
+      if (!is_meant(plain_name(described_name(object, entry)))) return;
       // Profiles share objects: each address of a name is listed once.
       const auto sub = static_cast<std::uint8_t>(entry.sub_first);
       const bool is_there = std::ranges::any_of(found, [&](const ObjectAddress& each) {
@@ -96,6 +112,21 @@ std::vector<ObjectAddress> find_parts(const Profile* known, std::string_view tex
     });
   }
   return found;
+}
+
+/// Objects with a name that contains the text; if there are none, those with all of its words in
+/// any order.
+std::vector<ObjectAddress> find_parts(const Profile* known, std::string_view text) {
+  const std::string part = plain_name(text);
+  if (part.empty()) return {};
+  std::vector<ObjectAddress> found =
+      find_named(known, [&part](const std::string& name) { return has_name(name, part); });
+  const std::vector<std::string> words = words_of_name(text);
+  if (!found.empty() || words.size() < 2) return found;
+  return find_named(known, [&words](const std::string& name) {
+    return std::ranges::all_of(
+        words, [&name](const std::string& word) { return name.find(word) != std::string::npos; });
+  });
 }
 
 bool is_several(const ObjectAddress& address) {

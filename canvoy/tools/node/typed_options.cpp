@@ -5,9 +5,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/argument/value_argument.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/node/other_names.hpp"
+#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
 
@@ -15,20 +20,48 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+bool is_duration(std::string_view word) {
+  return parse_duration(word).has_value();
+}
+
+bool is_type(std::string_view word) {
+  return parse_type(word).has_value();
+}
+
 /// What other tools call an option or a place, without dashes and in small letters.
 struct OtherSpelling {
   std::string_view typed;
-  std::string_view meant;          ///< an option without its first dashes, or a place
-  std::string_view in_front = {};  ///< of the value: `id=`
+  std::string_view meant;                  ///< an option without its first dashes, or a place
+  std::string_view in_front = {};          ///< of the value: `id=`
+  bool (*of)(std::string_view) = nullptr;  ///< only of such a value
 };
 /// Of several meanings of a word, a verb has the first one that it knows.
 constexpr auto other_spellings = std::to_array<OtherSpelling>({
     {"n", "count"},
+    {"c", "bus", "", names_bus},
+    {"c", "source", "", names_bus},
     {"c", "count"},
+    {"n", "node-id", "", is_small_number},
+    {"n", "node", "", is_small_number},
+    {"limit", "count"},
+    {"head", "count"},
+    {"max", "count"},
     {"num", "count"},
     {"number", "count"},
     {"frames", "count"},
+    {"f", "source", "", is_log_name},
+    {"f", "log", "", is_log_name},
     {"f", "filter"},
+    {"y", "filter"},
+    {"from", "filter", "time>=", is_duration},
+    {"since", "filter", "time>=", is_duration},
+    {"start", "filter", "time>=", is_duration},
+    {"begin", "filter", "time>=", is_duration},
+    {"to", "filter", "time<=", is_duration},
+    {"until", "filter", "time<=", is_duration},
+    {"end", "filter", "time<=", is_duration},
+    {"ids", "filter", "id="},
+    {"cobid", "filter", "id="},
     {"id", "node-id"},
     {"id", "filter", "id="},
     {"canid", "filter", "id="},
@@ -37,6 +70,8 @@ constexpr auto other_spellings = std::to_array<OtherSpelling>({
     {"bus", "filter", "bus="},
     {"j", "json"},
     {"o", "out"},
+    {"w", "out"},
+    {"write", "out"},
     {"output", "out"},
     {"outfile", "out"},
     {"to", "out"},
@@ -45,10 +80,19 @@ constexpr auto other_spellings = std::to_array<OtherSpelling>({
     {"o", "to"},
     {"out", "to"},
     {"output", "to"},
+    {"i", "bus", "", names_bus},
+    {"i", "source", "", names_bus},
     {"i", "log"},
+    {"r", "log"},
+    {"file", "log"},
+    {"infile", "log"},
+    {"file", "source"},
     {"input", "log"},
     {"i", "in"},
     {"input", "in"},
+    {"d", "for"},
+    {"t", "type", "", is_type},
+    {"t", "for", "", is_duration},
     {"duration", "for"},
     {"time", "for"},
     {"seconds", "for"},
@@ -64,7 +108,10 @@ constexpr auto other_spellings = std::to_array<OtherSpelling>({
     {"node", "node-id"},
     {"nodeid", "node"},
     {"save", "store"},
+    {"p", "web"},
     {"port", "web"},
+    {"p", "listen"},
+    {"port", "listen"},
     {"repeat", "loop"},
     {"dryrun", "diff"},
     {"index", "object"},
@@ -101,6 +148,32 @@ bool is_picture_or_table(std::string_view word) {
       std::to_array<std::string_view>({".svg", ".png", ".dbc", ".csv", ".html"});
   return std::ranges::any_of(endings,
                              [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+/// `10x` as 10, where a factor is meant.
+std::string without_times(const std::string& value) {
+  std::string_view number = value;
+  if (number.starts_with('x')) number.remove_prefix(1);
+  if (number.ends_with('x')) number.remove_suffix(1);
+  const bool is_number =
+      !number.empty() && number.find_first_not_of("0123456789.") == std::string_view::npos;
+  return is_number ? std::string(number) : value;
+}
+
+bool is_port(std::string_view value) {
+  return !value.empty() && value.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Names of fields of Wireshark as ours: `canopen.node_id == 10` as `node == 10`.
+std::string without_fields_of_wireshark(std::string filter) {
+  constexpr auto fields = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"canopen.node_id", "node"}, {"canopen.cob_id", "id"}, {"can.id", "id"}});
+  for (const auto& [typed, meant] : fields) {
+    for (std::size_t at = 0; (at = filter.find(typed, at)) != std::string::npos;) {
+      filter.replace(at, typed.size(), meant);
+    }
+  }
+  return filter;
 }
 
 /// The words of a verb, told apart.
@@ -179,7 +252,7 @@ class TypedOptions {
         is_changed_ = true;
         return at;
       }
-      said_.push_back(rest[at++]);
+      said_.push_back(value_of(option->name, rest[at++]));
     } while (option->takes_several);
     return at;
   }
@@ -188,8 +261,9 @@ class TypedOptions {
                            const std::optional<std::string>& value, bool is_behind) {
     const std::string plain = plain_option(rest[at]).substr(0, plain_option(rest[at]).find('='));
     const std::size_t next = at + (value && is_behind ? 2 : 1);
-    if (plain.size() > 1 && is_place(plain) && value) {
-      name_place(plain, *value);
+    for (const std::string& place : {plain, plain + 's'}) {
+      if (plain.size() < 2 || !is_place(place) || !value) continue;
+      name_place(place, *value);
       return next;
     }
     if (const OptionInfo* const option = find_plain(plain); option != nullptr && plain.size() > 1) {
@@ -202,8 +276,16 @@ class TypedOptions {
         return next;
       }
     }
+    // `--format json` as `--json`.
+    const bool is_form = value && (*value == "json" || *value == "csv") &&
+                         (plain.ends_with("format") || plain == "f" || plain == "output");
+    if (is_form && find_option("--" + *value) != nullptr) {
+      is_changed_ = true;
+      said_.push_back("--" + *value);
+      return next;
+    }
     for (const OtherSpelling& each : other_spellings) {
-      if (each.typed != plain) continue;
+      if (each.typed != plain || (each.of != nullptr && !(value && each.of(*value)))) continue;
       const OptionInfo* const option = find_plain(plain_option(each.meant));
       if (option != nullptr) return take_as(*option, each.in_front, value, at, next);
       if (!is_place(each.meant) || !value) continue;
@@ -211,6 +293,7 @@ class TypedOptions {
       return next;
     }
     said_.push_back(rest[at]);
+    has_unknown_ = true;
     return at + 1;
   }
 
@@ -220,8 +303,18 @@ class TypedOptions {
     is_changed_ = true;
     said_.push_back(option.names.front());
     if (option.is_flag) return at + 1;
-    if (value) said_.push_back(std::string(in_front) + *value);
+    if (value) said_.push_back(std::string(in_front) + value_of(option.name, *value));
     return next;
+  }
+
+  /// A value as the option has it.
+  std::string value_of(std::string_view option, const std::string& typed) {
+    std::string value = typed;
+    if (option == "--speed") value = without_times(typed);
+    if (option == "--listen" && is_port(typed)) value = "127.0.0.1:" + typed;
+    if (option == "--filter") value = without_fields_of_wireshark(typed);
+    is_changed_ = is_changed_ || value != typed;
+    return value;
   }
 
   void name_place(std::string_view place, const std::string& value) {
@@ -232,6 +325,7 @@ class TypedOptions {
   /// A duration, or a file, where the verb has no place for a further word.
   void claim_further_words() {
     const bool takes_any = std::ranges::any_of(places_, &OptionInfo::takes_several);
+    claim_filter(takes_any);
     const std::size_t room = places_.size() - named_.size();
     if (loose_.size() <= room && !takes_any) return;
     for (std::size_t at = loose_.size(); at-- > room;) {
@@ -241,6 +335,20 @@ class TypedOptions {
       said_.insert(said_.end(), {option, loose_[at]});
       loose_.erase(loose_.begin() + static_cast<std::ptrdiff_t>(at));
     }
+  }
+  /// `monitor can0 node=10`: what stands behind the one place is the filter.
+  void claim_filter(bool takes_any) {
+    const bool has_room = takes_any || places_.size() != 1 || loose_.size() < 2;
+    if (has_room || has_unknown_ || find_option("--filter") == nullptr || is_said("--filter"))
+      return;
+    std::string filter;
+    for (std::size_t at = 1; at < loose_.size(); ++at) {
+      if (!claimed_by(loose_[at]).empty()) return;
+      filter += (at == 1 ? "" : " ") + loose_[at];
+    }
+    is_changed_ = true;
+    said_.insert(said_.end(), {"--filter", value_of("--filter", filter)});
+    loose_.resize(1);
   }
   std::string claimed_by(const std::string& word) const {
     constexpr auto of_time = std::to_array<const char*>({"--for", "--every", "--timeout"});
@@ -285,6 +393,7 @@ class TypedOptions {
   Words said_;                                ///< options with their values
   std::map<std::string, std::string> named_;  ///< words of places, by their names
   bool is_changed_ = false;
+  bool has_unknown_ = false;  ///< an option that the verb will refuse
 };
 
 /// The verb below with this name.

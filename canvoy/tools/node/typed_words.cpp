@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +15,7 @@
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/other_names.hpp"
 #include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
@@ -94,6 +97,20 @@ std::string line_of(const Words& words) {
       fmt::format("which bus? {}; or export CANVOY_BUS=can0, and leave it out", line_of(words)));
 }
 
+/// `--bus can0` of a verb whose bus is a word.
+std::optional<std::string> take_bus_option(Words& words) {
+  constexpr auto names =
+      std::to_array<std::string_view>({"--bus", "--interface", "--channel", "-i", "-c"});
+  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
+    if (std::ranges::find(names, words[at]) == names.end() || !names_bus(words[at + 1])) continue;
+    std::string bus = words[at + 1];
+    const auto option = words.begin() + static_cast<std::ptrdiff_t>(at);
+    words.erase(option, option + 2);
+    return bus;
+  }
+  return std::nullopt;
+}
+
 /// The bus of the environment where none was said, and the line that was meant where that is not
 /// known either.
 void add_bus(Words& words, const BusPlace& place) {
@@ -101,6 +118,10 @@ void add_bus(Words& words, const BusPlace& place) {
   const std::size_t places = count_places(words);
   const bool is_said = places >= place.at && names_bus(words[place.at]);
   if (is_said || places + 1 < place.at) return;
+  if (const std::optional<std::string> said = take_bus_option(words)) {
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(place.at), *said);
+    return;
+  }
   const std::string& verb = words.front();
   const std::string& first = places >= place.at ? words[place.at] : verb;
   const bool is_file =
@@ -131,96 +152,6 @@ void add_device_bus(Words& words) {
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(devices) + 1, usual);
 }
 
-/// What other tools call a verb, or what is typed for one of ours.
-struct OtherName {
-  std::string_view name;
-  std::string_view verb;
-  bool is_told = false;  ///< it may mean others as well: the line is told, not run
-};
-constexpr auto other_names = std::to_array<OtherName>({
-    {"candump", "monitor"},
-    {"dump", "monitor"},
-    {"listen", "monitor"},
-    {"sniff", "monitor"},
-    {"watch", "monitor", true},
-    {"heartbeat", "monitor", true},
-    {"list", "scan"},
-    {"ls", "scan"},
-    {"nodes", "scan"},
-    {"ping", "scan", true},
-    {"diff", "eds diff"},
-    {"compare", "eds diff"},
-    {"info", "eds check", true},
-    {"convert", "convert-log"},
-    {"simulate", "run", true},
-    {"sim", "run", true},
-    {"start", "nmt"},
-    {"reset", "nmt"},
-    {"log", "record", true},
-    {"canplayer", "replay"},
-    {"play", "replay"},
-    {"cansend", "send"},
-    {"get", "read"},
-    {"upload", "read"},
-    {"sdo", "read", true},
-    {"set", "write"},
-    {"download", "write", true},
-    {"test", "check", true},
-    {"flash", "program"},
-    {"serve", "view"},
-    {"web", "view"},
-    {"statistics", "stats"},
-    {"dbc", "export dbc"},
-    {"lookup", "explain"},
-});
-
-bool has_ending(std::string_view word, std::initializer_list<std::string_view> endings) {
-  return std::ranges::any_of(endings,
-                             [word](std::string_view ending) { return word.ends_with(ending); });
-}
-
-bool is_sheet_name(std::string_view word) {
-  return has_ending(word, {".eds", ".dcf", ".xdd", ".xdc", ".EDS", ".DCF"});
-}
-
-/// The line with our name of the verb.
-void use_own_name(Words& words) {
-  if (words.size() > 1 && is_nmt_word(words[0] + '-' + words[1])) {
-    words[0] += '-' + words[1];
-    words.erase(words.begin() + 1);
-  }
-  const std::string_view typed = words.front();
-  const std::string_view name = is_nmt_word(typed) ? "start" : typed;
-  const auto* const other = std::ranges::find(other_names, name, &OtherName::name);
-  if (other == other_names.end()) return;
-  std::string_view verb = other->verb;
-  if (verb == "convert-log" && words.size() > 1 && is_sheet_name(words[1])) verb = "eds convert";
-  Words meant(words.begin() + 1, words.end());
-  if (verb == "nmt")
-    meant.insert(meant.begin() + static_cast<std::ptrdiff_t>(count_places(words)), words.front());
-  const std::size_t blank = verb.find(' ');
-  if (blank != std::string_view::npos)
-    meant.insert(meant.begin(), std::string(verb.substr(blank + 1)));
-  meant.insert(meant.begin(), std::string(verb.substr(0, blank)));
-  if (!other->is_told) {
-    words = std::move(meant);
-    return;
-  }
-  const bool misses_bus = meant.size() == 1 && (verb == "scan" || verb == "monitor");
-  if (misses_bus) meant.emplace_back("can0");
-  throw UsageError(
-      fmt::format("'{}' is not known here; {} does that: {}", words.front(), verb, line_of(meant)));
-}
-
-/// The verb that is meant by what stands behind it: `eds pump.eds`, `explain 18A#A000`.
-void use_other_verb(Words& words) {
-  if (words.size() < 2) return;
-  if (words[0] == "eds" && is_sheet_name(words[1])) words.insert(words.begin() + 1, "check");
-  if (words[0] == "eds" && (words[1] == "info" || words[1] == "show")) words[1] = "check";
-  if (words[0] == "eds" && words[1] == "compare") words[1] = "diff";
-  if (words[0] == "explain" && words[1].find('#') != std::string::npos) words[0] = "decode";
-}
-
 /// `can0,180:780`, as candump has it, is the bus and a filter.
 void part_candump_filters(Words& words) {
   if (words.front() != "monitor" || count_places(words) == 0) return;
@@ -241,6 +172,42 @@ void part_candump_filters(Words& words) {
   words.insert(words.end(), {"--filter", "id=" + filters});
 }
 
+/// `plot night.log 10:6010`: the node in front of its object.
+void part_nodes_of_objects(Words& words) {
+  if (words.front() != "plot") return;
+  std::string node;
+  for (std::size_t at = 2; at <= count_places(words); ++at) {
+    const std::size_t colon = words[at].find(':');
+    const std::string_view first = std::string_view(words[at]).substr(0, colon);
+    if (colon == std::string::npos || !is_small_number(first) || !find_node_id(first)) continue;
+    if (!node.empty() && node != first) return;  // the verb tells of both
+    node = first;
+  }
+  if (node.empty()) return;
+  for (std::size_t at = 2; at <= count_places(words); ++at) {
+    if (words[at].starts_with(node + ':')) words[at].erase(0, node.size() + 1);
+  }
+  words.insert(words.end(), {"--filter", "node=" + node});
+}
+
+/// True if the standard input is a pipe or a file.
+bool has_piped_input() {
+  struct stat input {};
+  return fstat(STDIN_FILENO, &input) == 0 && (S_ISFIFO(input.st_mode) || S_ISREG(input.st_mode));
+}
+
+/// `cat night.log | canvoy stats`: the log is on the standard input where no other source is said.
+void use_piped_input(Words& words) {
+  constexpr auto readers =
+      std::to_array<std::string_view>({"monitor", "stats", "doctor", "load", "plot"});
+  const bool reads = std::ranges::find(readers, words.front()) != readers.end();
+  const std::size_t places = count_places(words);
+  const bool misses_log =
+      words.front() == "plot" ? places == 1 && !is_log_name(words[1]) : places == 0;
+  if (!reads || !misses_log || !has_piped_input()) return;
+  words.insert(words.begin() + 1, "-");
+}
+
 /// `battery can0 11`: the node-ID stands behind the bus.
 void use_node_behind_bus(Words& words) {
   const std::size_t places = count_places(words);
@@ -258,10 +225,29 @@ void refuse_another_line(const Words& words) {
         fmt::format("{} canvoy {}", what, fmt::join({std::string_view(parts)...}, " ")));
   };
   const bool names_file = std::ranges::any_of(words, [](const std::string& word) {
-    return word.starts_with("-o") || word.starts_with("--o");
+    return word.starts_with("-o") || word.starts_with("--o") || is_log_name(word);
   });
   if (verb == "record" && places == 1 && names_bus(words[1]) && !names_file) {
     refuse("which file is to be written?", verb, words[1], "night.log");
+  }
+  if (verb == "convert-log" && words.size() == 2 && is_log_name(words[1])) {
+    refuse("which file is to be written?", verb, words[1], "night.asc");
+  }
+  if (verb == "report" && places == 1 && is_log_name(words[1]) && words.size() == 2) {
+    refuse("which file is to be written?", verb, words[1], "--out night.html");
+  }
+  if (verb == "pdo" && places == 2 && names_bus(words[1])) {
+    refuse(
+        "which PDO? one is sent by", verb, words[1], words[2],
+        fmt::format("tpdo1, and its mapping read by canvoy read {} {} 1A00", words[1], words[2]));
+  }
+  const bool has_several_nodes = (verb == "read" || verb == "write") && places > 2 &&
+                                 (words[2] == "all" || words[2].find(',') != std::string::npos);
+  if (has_several_nodes) {
+    const std::string first = words[2] == "all" ? "10" : words[2].substr(0, words[2].find(','));
+    refuse("one node is asked at a time:", verb, words[1], first,
+           fmt::format("{}; canvoy scan {} asks all who they are",
+                       fmt::join(words.begin() + 3, words.end(), " "), words[1]));
   }
   if (verb == "replay" && places == 1 && names_bus(words[1])) {
     refuse("which log?", verb, "night.log", words[1]);
@@ -269,7 +255,7 @@ void refuse_another_line(const Words& words) {
   if (verb == "check" && places == 1 && is_sheet_name(words[1])) {
     refuse("a data sheet is checked by", "eds check", words[1]);
   }
-  if (verb == "export" && places == 2 && has_ending(words[2], {".log", ".asc", ".blf", ".trc"})) {
+  if (verb == "export" && places == 2 && is_log_name(words[2])) {
     refuse("the values in a log are written by", "decode", words[2], "--csv");
   }
   const bool has_node_behind =
@@ -313,16 +299,19 @@ std::vector<std::string> typed_words(Words words) {
     words.erase(words.begin());
     words.emplace_back("--help");
   }
-  use_own_name(words);
-  use_other_verb(words);
+  use_bus_in_front(words);
+  use_own_names(words);
   if (words.front() == "device" && words.size() > 1) add_device_bus(words);
   use_node_behind_bus(words);
   part_candump_filters(words);
+  part_nodes_of_objects(words);
   const bool asks_for_help = std::ranges::find(words, "--help") != words.end() ||
                              std::ranges::find(words, "-h") != words.end();
   const std::optional<BusPlace> place = bus_place(words);
   if (!asks_for_help) refuse_another_line(words);
-  if (asks_for_help || !place) return words;
+  if (asks_for_help) return words;
+  use_piped_input(words);
+  if (!place) return words;
   add_bus(words, *place);
   order_words(words);
   return words;

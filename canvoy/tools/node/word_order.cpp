@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/sim/duration_text.hpp"
@@ -72,7 +73,42 @@ void order_nmt(Words& words) {
 void order_lss(Words& words) {
   if (count_places(words) < 2) return;
   if (!names_bus(words[1]) && names_bus(words[2])) std::swap(words[1], words[2]);
-  if (same_name(words[2], "fastscan")) words[2] = "scan";
+  // `set node 20`, `get node` and `conf bitrate 250` as one word.
+  for (const std::string_view first : {"set", "get", "conf", "configure", "inquire"}) {
+    if (words[2] != first || words.size() < 4 || is_small_number(words[3])) continue;
+    words[2] += '-' + words[3];
+    erase_word(words, 3);
+  }
+  struct OtherCommand {
+    std::string_view typed;
+    std::string_view meant;
+  };
+  constexpr auto others = std::to_array<OtherCommand>({{"fastscan", "scan"},
+                                                       {"lssfastscan", "scan"},
+                                                       {"find", "scan"},
+                                                       {"bitrate", "set-bit-rate"},
+                                                       {"baudrate", "set-bit-rate"},
+                                                       {"baud", "set-bit-rate"},
+                                                       {"setbitrate", "set-bit-rate"},
+                                                       {"setbaudrate", "set-bit-rate"},
+                                                       {"setbaud", "set-bit-rate"},
+                                                       {"confbitrate", "set-bit-rate"},
+                                                       {"configurebitrate", "set-bit-rate"},
+                                                       {"node", "set-node-id"},
+                                                       {"nodeid", "set-node-id"},
+                                                       {"setnode", "set-node-id"},
+                                                       {"setid", "set-node-id"},
+                                                       {"confnode", "set-node-id"},
+                                                       {"configurenodeid", "set-node-id"},
+                                                       {"get", "inquire"},
+                                                       {"getnode", "inquire"},
+                                                       {"getnodeid", "inquire"},
+                                                       {"inquirenodeid", "inquire"},
+                                                       {"identity", "inquire"},
+                                                       {"save", "store"}});
+  for (const OtherCommand& other : others) {
+    if (same_name(words[2], other.typed)) words[2] = other.meant;
+  }
 }
 
 /// `u16` behind an object, as in the commands of CiA 309-3, is its type.

@@ -161,14 +161,16 @@ constexpr std::array routes = {
              .summary = "The latest frames, at most 200,000, as a candump log",
              .action = ApiAction::frames,
              .type = "text/plain"},
-    ApiRoute{.method = "GET",
-             .path = "/api/run.toml",
-             .name = "runFile",
-             .summary = "The run as it is played, with its seed, its faults and what was done: a network file "
-                        "that `canvoy run FILE` plays the same",
-             .action = ApiAction::run_file,
-             .type = "application/toml",
-             .statuses = not_there},
+    ApiRoute{
+        .method = "GET",
+        .path = "/api/run.toml",
+        .name = "runFile",
+        .summary =
+            "The run as it is played, with its seed, its faults and what was done: a network file "
+            "that `canvoy run FILE` plays the same",
+        .action = ApiAction::run_file,
+        .type = "application/toml",
+        .statuses = not_there},
     ApiRoute{.method = "GET",
              .path = "/api/run/trend",
              .name = "trend",

@@ -14,10 +14,6 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr int periods_until_silent = 3;
-constexpr Duration silent_after_min = 1s;
-/// Used if only one heartbeat was heard, and its period is unknown.
-constexpr Duration silent_after_one = 10s;
 constexpr Duration look_period = 1s;
 
 }  // namespace
@@ -78,18 +74,10 @@ void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
   hear_heartbeat(time, heard_on->index, frame);
 }
 
-/// The period follows the heartbeats, so that a node with a new period is not silent.
 void HeardNodes::hear_heartbeat(Duration time, BusIndex bus, const Frame& frame) {
   const std::uint32_t node = frame.id - can_id::error_control;
   if (!frame.is_plain() || frame.length != 1 || !is_node_id(node)) return;
-  Said& said = nodes_[{bus, static_cast<NodeId>(node)}];
-  const bool is_boot_up = frame.data[0] == 0;
-  if (said.heard_at != Duration{} && !is_boot_up) {
-    const Duration passed = time - said.heard_at;
-    said.period = std::max(passed, said.period - said.period / 8);
-  }
-  said.heard_at = time;
-  said.has_heartbeat = said.has_heartbeat || !is_boot_up;
+  nodes_[{bus, static_cast<NodeId>(node)}].heartbeat.hear(time, frame.data[0] == 0);
 }
 
 void HeardNodes::note(Time now, const BusEvent& event) {
@@ -109,17 +97,10 @@ void HeardNodes::note(Time now, const BusEvent& event) {
   std::visit(say, event);
 }
 
-bool HeardNodes::Said::is_silent(Duration now) const {
-  const Duration patience = period == Duration{}
-                                ? silent_after_one
-                                : std::max(periods_until_silent * period, silent_after_min);
-  return has_heartbeat && now - heard_at > patience;
-}
-
 void HeardNodes::look(Duration now) {
   next_look_ = now + look_period;
   for (auto& [place, said] : nodes_) {
-    const bool is_silent = said.is_silent(now);
+    const bool is_silent = said.heartbeat.is_silent(now);
     if (std::exchange(said.told_silent, is_silent) == is_silent) continue;
     const auto& [bus, node] = place;
     const std::string_view text = is_silent ? "no heartbeat any more" : "its heartbeat is back";
@@ -139,9 +120,9 @@ Json HeardNodes::nodes_json(Duration now) {
     all.push_back({{"bus", buses_[bus]->name},
                    {"node", node},
                    {"device", names_->device(bus, node)},
-                   {"state", said.is_silent(now)  ? "silent"
-                             : said.state.empty() ? "unknown"
-                                                  : said.state},
+                   {"state", said.heartbeat.is_silent(now) ? "silent"
+                             : said.state.empty()          ? "unknown"
+                                                           : said.state},
                    {"error_register", fmt::format("{:02X}", said.error_register)}});
   }
   return all;

@@ -17,6 +17,7 @@
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/tools/page/frame_feed.hpp"
 #include "canvoy/tools/player/world_text.hpp"
+#include "canvoy/tools/session/heartbeat_watch.hpp"
 
 namespace canvoy::tools {
 
@@ -33,8 +34,8 @@ class HeardNodes {
   /// Reports nodes that have become silent, or are heard again, until this time. hear() does it
   /// once a second of the times of frames; where no frame comes, the caller has to.
   void look(Duration now);
-  /// The table as `nodes` of a snapshot. A node without heartbeats is `silent` after three of its
-  /// periods, at least one second.
+  /// The table as `nodes` of a snapshot. Nodes are `silent` as HeartbeatWatch
+  /// says it.
   Json nodes_json(Duration now);
 
  private:
@@ -43,12 +44,8 @@ class HeardNodes {
   struct Said {
     std::string state;
     std::uint8_t error_register = 0;
-    Duration heard_at{};         ///< time of its last heartbeat
-    Duration period{};           ///< longest recent interval; 0: at most one heartbeat
-    bool has_heartbeat = false;  ///< beside its boot-up message
+    HeartbeatWatch heartbeat{};
     bool told_silent = false;
-
-    bool is_silent(Duration now) const;
   };
 
   /// Null: too many buses.

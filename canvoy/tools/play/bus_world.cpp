@@ -366,8 +366,8 @@ void check_options(const Verb& bus, const BusWorld::Choice& options) {
     if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
     return;
   }
-  for (const char* name :
-       {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block", "--web", "--out"}) {
+  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block",
+                           "--web", "--out", "--act"}) {
     if (bus.count(name) == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }

@@ -122,18 +122,19 @@ Setting<Run> faults_setting(std::string_view network) {
 /// `acts = ["visit:from=2:to=7@1min"]`
 template <class Run>
 Setting<Run> acts_setting() {
-  return {.key = "acts",
-          .takes = "a list of texts",
-          .help = "what people did from outside, as the page writes it",
-          .take = [](TomlTable& table, Run& run) { table.take("acts", run.acts); },
-          .value =
-              [](const Run& run) { return run.acts.empty() ? "" : detail::in_file(run.acts); }};
+  return {
+      .key = "acts",
+      .takes = "a list of texts",
+      .help = "what people did from outside, as the page writes it",
+      .take = [](TomlTable& table, Run& run) { table.take("acts", run.acts); },
+      .value = [](const Run& run) { return run.acts.empty() ? "" : detail::in_file(run.acts); }};
 }
 
 /// Duration, seed, faults and acts.
 template <class Run>
 std::vector<Setting<Run>> world_head(Setting<Run> length, std::string_view network) {
-  return {std::move(length), seed_setting<Run>(), faults_setting<Run>(network), acts_setting<Run>()};
+  return {std::move(length), seed_setting<Run>(), faults_setting<Run>(network),
+          acts_setting<Run>()};
 }
 
 /// `real = "can0"` at a bus.

@@ -16,15 +16,15 @@ namespace canvoy::tools {
 
 namespace {
 
-struct NmtWord {
+struct ActCommand {
   std::string_view word;
   NmtCommand command;
 };
-constexpr std::array nmt_words = {
-    NmtWord{"start", NmtCommand::start}, NmtWord{"stop", NmtCommand::stop},
-    NmtWord{"enter-pre-operational", NmtCommand::enter_pre_operational},
-    NmtWord{"reset-node", NmtCommand::reset_node},
-    NmtWord{"reset-communication", NmtCommand::reset_communication}};
+constexpr std::array act_commands = {
+    ActCommand{"start", NmtCommand::start}, ActCommand{"stop", NmtCommand::stop},
+    ActCommand{"enter-pre-operational", NmtCommand::enter_pre_operational},
+    ActCommand{"reset-node", NmtCommand::reset_node},
+    ActCommand{"reset-communication", NmtCommand::reset_communication}};
 
 constexpr unsigned floor_max = 254;
 
@@ -97,8 +97,8 @@ void take_object(ActWords& words, BusRequest& request) {
   const std::string_view object = words.take("object");
   const std::size_t slash = std::min(object.find('/'), object.size());
   const std::string_view sub = slash == object.size() ? "0" : object.substr(slash + 1);
-  request.index =
-      static_cast<std::uint16_t>(words.number_of("object", object.substr(0, slash), 1, 0xFFFF, base));
+  request.index = static_cast<std::uint16_t>(
+      words.number_of("object", object.substr(0, slash), 1, 0xFFFF, base));
   request.sub = static_cast<std::uint8_t>(words.number_of("object", sub, 0, 0xFF, base));
 }
 
@@ -121,8 +121,8 @@ BusRequest take_request(std::string_view text, ActWords& words) {
     request.kind = Kind::nmt;
     request.node = static_cast<NodeId>(words.number("node", 0, node_id_max));
     const std::string_view command = words.take("command");
-    const auto* const found = std::ranges::find(nmt_words, command, &NmtWord::word);
-    if (found == nmt_words.end()) refuse(text, fmt::format("'{}' is no command", command));
+    const auto* const found = std::ranges::find(act_commands, command, &ActCommand::word);
+    if (found == act_commands.end()) refuse(text, fmt::format("'{}' is no command", command));
     request.bytes = {static_cast<std::uint8_t>(found->command)};
     return request;
   }
@@ -138,7 +138,7 @@ std::string request_text(const BusRequest& request) {
   const std::string place = fmt::format("bus={}:node={}", request.bus, request.node);
   if (request.kind == Kind::nmt) {
     const auto* const found = std::ranges::find(
-        nmt_words, static_cast<NmtCommand>(request.bytes.at(0)), &NmtWord::command);
+        act_commands, static_cast<NmtCommand>(request.bytes.at(0)), &ActCommand::command);
     return fmt::format("nmt:{}:command={}", place, found->word);
   }
   const std::string object = fmt::format("object={:04X}/{:02X}", request.index, request.sub);

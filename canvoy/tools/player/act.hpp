@@ -30,9 +30,9 @@ struct BusRequest {
 };
 
 struct Act {
-  Time at{};                              ///< time of the run
+  Time at{};                               ///< time of the run
   std::optional<BusRequest> request = {};  ///< none: a visitor
-  unsigned from = 0;                      ///< floors of the visitor
+  unsigned from = 0;                       ///< floors of the visitor
   unsigned to = 0;
   bool is_added = false;  ///< by a viewer; not part of the command or the file
 };

@@ -30,7 +30,8 @@ TEST(Act, IsReadAndWrittenAsTheSameText) {
 }
 
 TEST(Act, OfNmtHasTheCommandSpecifier) {
-  // CiA 301, 7.2.8.3.1: start 1, stop 2, enter pre-operational 80h, reset node 81h, communication 82h.
+  // CiA 301, 7.2.8.3.1: start 1, stop 2, enter pre-operational 80h, reset node 81h, communication
+  // 82h.
   const auto specifier = [](const std::string& word) {
     return parse_act("nmt:bus=sim0:node=5:command=" + word + "@1s").request->bytes;
   };
@@ -62,8 +63,8 @@ TEST(Act, IsRefusedWithWhatIsWrong) {
 }
 
 TEST(Act, ListIsInTheOrderOfTheTimes) {
-  const std::vector<Act> acts = parse_acts(
-      {"visit:from=1:to=2@3s", "visit:from=2:to=3@1s", "visit:from=3:to=4@3s"});
+  const std::vector<Act> acts =
+      parse_acts({"visit:from=1:to=2@3s", "visit:from=2:to=3@1s", "visit:from=3:to=4@3s"});
   ASSERT_EQ(acts.size(), 3U);
   EXPECT_EQ(acts[0].from, 2U);
   EXPECT_EQ(acts[1].from, 1U);

@@ -1,5 +1,5 @@
-// Runs a played network, and does at their times what people did to it: from nodes of its own, which
-// have no node-ID and no entries. The same acts at the same times give the same frames.
+// Runs a played network, and does at their times what people did to it: from nodes of its own,
+// which have no node-ID and no entries. The same acts at the same times give the same frames.
 //
 //     Actor actor(network, parse_acts(texts));
 //     actor.run_until(now);
@@ -16,8 +16,8 @@ namespace canvoy::tools {
 
 class Actor {
  public:
-  /// `acts`: in the order of their times. The network must outlive this. Throws UsageError if an act
-  /// names a bus that is not there, or a way that a visitor cannot take.
+  /// `acts`: in the order of their times. The network must outlive this. Throws UsageError if an
+  /// act names a bus that is not there, or a way that a visitor cannot take.
   Actor(PlayedNetwork& network, std::vector<Act> acts);
   ~Actor();
   Actor(const Actor&) = delete;

@@ -168,19 +168,26 @@ class Player {
 
   std::string summary_json() {
     nlohmann::ordered_json summary = network_.summary_json();
-    if (real_) summary["left_out"] = in_seconds(real_->left_out());
+    if (real_) {
+      summary["left_out"] = in_seconds(real_->left_out());
+      summary["frames_lost"] = real_->frames_lost();
+    }
     return summary.dump() + "\n";
   }
 
   /// Text with events of a bus, for a reader.
   std::string summary_text() {
     constexpr Duration told_from = 100ms;
-    const Duration left_out = real_ ? real_->left_out() : Duration{};
-    if (left_out < told_from) return network_.summary_text();
-    return network_.summary_text() +
-           fmt::format(
-               "this machine was too slow for {:.1f} s of the clock: the network stood still\n",
-               in_seconds(left_out));
+    std::string text = network_.summary_text();
+    if (!real_) return text;
+    if (real_->left_out() >= told_from) {
+      text += fmt::format(
+          "this machine was too slow for {:.1f} s of the clock: the network stood still\n",
+          in_seconds(real_->left_out()));
+    }
+    if (const std::uint64_t lost = real_->frames_lost(); lost != 0)
+      text += fmt::format("{} frames were lost between the network and the real bus\n", lost);
+    return text;
   }
 
   void tell() {
@@ -245,9 +252,11 @@ class Player {
     }
     drop_old_events(lines, std::max<std::size_t>(rows, 1) - 1);
     lines.resize(std::max<std::size_t>(rows, 1) - 1);
-    lines.push_back(real_ ? "  q ends"
-                          : fmt::format("  q ends  space {}  + and - change the speed",
-                                        is_paused_ ? "goes on (PAUSED)" : "pauses"));
+    const std::string trouble = real_ ? real_->trouble() : std::string();
+    lines.push_back(!trouble.empty() ? fmt::format("  q ends  \x1b[1m{}\x1b[22m", trouble)
+                    : real_          ? "  q ends"
+                                     : fmt::format("  q ends  space {}  + and - change the speed",
+                                          is_paused_ ? "goes on (PAUSED)" : "pauses"));
     if (screen_) screen_->draw(lines);
   }
 

@@ -1,9 +1,6 @@
 #include "canvoy/tools/player/real_buses.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "canvoy/text/text.hpp"
@@ -54,44 +51,35 @@ namespace {
 /// catches up.
 constexpr Duration step_min = 5ms;
 constexpr int looks = 4;
+/// Interval for lost frames.
+constexpr Duration news_period = 1s;
 /// Maximum delay.
 constexpr Duration late_max = 500ms;
 
 }  // namespace
 
 RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::EventLoop& loop)
-    : looked_at_(loop.now()), reached_(world.now()) {
+    : news_([](const std::string& line) { print_message(line); }),
+      looked_at_(loop.now()),
+      reached_(world.now()) {
   for (const RealBus& each : buses) {
     BusBridge& bridge = bridges_.emplace_back(world, each.bus, loop, each.address);
-    const std::string name(bridge.real().name());
-    bridge.real().on_state([this, name](BusState state, Time) {
-      if (state == BusState::error_active) {
-        troubles_.erase(name);
-      } else {
-        troubles_.try_emplace(name, fmt::format("{} is {}", name, text::bus_state_text(state)));
-      }
-    });
-    bridge.real().on_trouble([this, name](const host::Error& error) {
-      troubles_[name] = error.line();
-      print_message(fmt::format("canvoy: {}", error.line()));
-    });
+    news_.follow(bridge.real(), false);
     world.start(bridge.slot());
   }
 }
 
-std::string RealBuses::trouble() const {
-  std::string all;
-  for (const auto& [name, text] : troubles_) all += (all.empty() ? "" : "; ") + text;
-  return all;
-}
-
-std::uint64_t RealBuses::frames_lost() {
-  std::uint64_t lost = 0;
-  for (BusBridge& bridge : bridges_) lost += bridge.real().counters().carrier.overrun;
+std::uint64_t RealBuses::frames_lost() const {
+  std::uint64_t lost = news_.frames_lost();
+  for (const BusBridge& bridge : bridges_) lost += bridge.lost();
   return lost;
 }
 
 Time RealBuses::reach(Time clock) {
+  if (clock >= next_news_) {
+    news_.look(clock);
+    next_news_ = clock + news_period;
+  }
   late_ += clock - std::exchange(looked_at_, clock);
   const Duration too_late = std::max(late_ - late_max, Duration{});
   left_out_ += too_late;

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/tools/player/player.hpp"
+#include "canvoy/tools/session/bus_news.hpp"
 
 namespace canvoy::tools {
 
@@ -81,7 +81,8 @@ class RealBuses {
   /// Interval between calls of reach().
   static constexpr Duration period = 1ms;
 
-  /// Throws Failure if a real bus cannot be opened. Later errors are lines on standard error.
+  /// Throws Failure if a real bus cannot be opened. Later changes of a bus, and lost frames, are
+  /// lines on standard error.
   RealBuses(World& world, const std::vector<RealBus>& buses, host::EventLoop& loop);
   RealBuses(const RealBuses&) = delete;
   RealBuses& operator=(const RealBuses&) = delete;
@@ -90,17 +91,19 @@ class RealBuses {
   /// Time of the network up to which to run now.
   Time reach(Time clock);
   /// Errors of real buses that have not ended, in one line; empty: none.
-  std::string trouble() const;
-  /// Number of frames lost by the interfaces or by reading too late.
-  std::uint64_t frames_lost();
+  std::string trouble() const { return news_.trouble(); }
+  /// Number of frames lost by the interfaces, by reading too late, or for lack of room on either
+  /// side.
+  std::uint64_t frames_lost() const;
   /// Duration of skipped pauses.
   Duration left_out() const { return left_out_; }
 
  private:
   std::deque<BusBridge> bridges_;
-  std::map<std::string, std::string> troubles_;  ///< by the name of the bus
-  Time looked_at_{};                             ///< by the clock
-  Time reached_{};                               ///< by the network
+  BusNews news_;
+  Time next_news_{};
+  Time looked_at_{};  ///< by the clock
+  Time reached_{};    ///< by the network
   Duration late_{};
   Duration left_out_{};
 };

@@ -26,9 +26,9 @@ bool is_of_report(const Verb& command) {
 /// `canvoy run lift --lifts 4`: the options that select the run, except for the seed.
 std::string command_of(const Verb& command, const RunOptions& options) {
   constexpr std::array left_out = {
-      "--seed",           "--speed", "--web",  "--allow-write",  "--out",  "--log",
-      "--json",           "--print", "--help", "--allow-record", "--link", "--fault",
-      "--act",                  "--require-decided"};
+      "--seed", "--speed", "--web",   "--allow-write",    "--out",
+      "--log",  "--json",  "--print", "--help",           "--allow-record",
+      "--link", "--fault", "--act",   "--require-decided"};
   std::string text;
   for (const Verb* verb = &command; verb != nullptr; verb = verb->parent()) {
     const std::string name = verb->name();

@@ -9,6 +9,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
 #include "canvoy/tools/cli/verb_help.hpp"
+#include "canvoy/tools/session/bus_news.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/node_tree.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
@@ -34,6 +35,7 @@ class Browser {
   Browser(Session& session, NodeTree& tree, std::string title)
       : session_(session), tree_(tree), title_(std::move(title)) {
     session_.show_progress(false);
+    for (host::HostBus* bus : session.buses()) news_.follow(*bus, false);
   }
 
   int run() {
@@ -70,7 +72,9 @@ class Browser {
     refreshed_ = (refreshed_ + 1) % shown;
     attempt([this] {
       const bool has_answered = tree_.refresh(rows_.at(first_ + refreshed_));
-      if (!has_answered || !is_lost_) return;
+      if (!has_answered) return;
+      answered_at_ = session_.loop().now();
+      if (!is_lost_) return;
       message_.clear();
       is_lost_ = false;
     });
@@ -233,7 +237,9 @@ class Browser {
     line += in_columns(sign + row.name, rest * 2 / 5);
     line += ' ';
     const std::string value = in_columns(tree_.value(row), rest > 0 ? rest - rest * 2 / 5 - 1 : 0);
-    line += tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m" : value;
+    line += is_lost_                 ? "\x1b[2m" + value + "\x1b[22m"
+            : tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m"
+                                     : value;
     line +=
         in_columns(row.is_folder || entry == nullptr ? "" : " " + entry->access, access_columns);
     return is_chosen ? "\x1b[7m" + line + "\x1b[27m" : line;
@@ -261,12 +267,24 @@ class Browser {
                        search_.empty() ? "" : ": " + search_);
   }
 
+  /// The node, or what is wrong: the bus first, since without it no node answers.
+  std::string first_row() const {
+    const Time now = session_.loop().now();
+    std::string wrong = news_.text(now);
+    if (is_lost_) {
+      const auto age = std::chrono::floor<std::chrono::seconds>(now - answered_at_);
+      wrong += fmt::format("{}the node does not answer, values are {} s old",
+                           wrong.empty() ? "" : "; ", age.count());
+    }
+    return wrong.empty() ? title_ : fmt::format("\x1b[1m{}\x1b[22m  {}", wrong, title_);
+  }
+
   void draw() {
     const Screen::Size size = Screen::size();
     room_ = size.rows > 2 ? size.rows - 2 : 1;
     if (place_ < first_) first_ = place_;
     if (place_ >= first_ + room_) first_ = place_ - room_ + 1;
-    std::vector<std::string> lines = {title_};
+    std::vector<std::string> lines = {first_row()};
     if (question_ == Question::confirm) {
       for (std::size_t i = first_difference_;
            i < change_.differences.size() && lines.size() <= room_; ++i) {
@@ -303,6 +321,8 @@ class Browser {
   std::size_t refreshed_ = 0;
   bool is_lost_ = false;
   bool is_over_ = false;
+  Time answered_at_ = session_.loop().now();
+  BusNews news_{[](const std::string&) {}};
 };
 
 /// Prints all once, without a terminal.

@@ -199,6 +199,13 @@ double LiveTable::Recurrence::rate(double age_s) const {
   return age_s > std::max(patience_s, pause_s_) ? std::min(mean, 1 / age_s) : mean;
 }
 
+bool LiveTable::Recurrence::is_overdue(double age_s) const {
+  constexpr double pauses = 3;
+  constexpr double least_s = 2;
+  constexpr double once_s = 10;
+  return age_s > (pause_s_ == 0 ? once_s : std::max(least_s, pauses * pause_s_));
+}
+
 double LiveTable::rate(const Row& row, Duration now) {
   return row.recurrence.rate(live_seconds(now - row.time));
 }
@@ -272,8 +279,10 @@ std::string LiveTable::line(const Shown& shown, const View& view) const {
   if (value_room > 0)
     line += is_marked ? "\x1b[7m" + in_columns(shown.value, value_room) + "\x1b[27m"
                       : in_columns(shown.value, value_room);
-  return line +
-         fmt::format("{:>7}{:>8}", age_text(view.now - row.time), rate_text(rate(row, view.now)));
+  line += fmt::format("{:>7}{:>8}", age_text(view.now - row.time), rate_text(rate(row, view.now)));
+  const bool is_faint =
+      view.has_marks && row.recurrence.is_overdue(live_seconds(view.now - row.time));
+  return is_faint ? "\x1b[2m" + line + "\x1b[22m" : line;
 }
 
 std::vector<std::string> LiveTable::lines(const View& view) const {

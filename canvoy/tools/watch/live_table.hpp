@@ -34,7 +34,7 @@ class LiveTable {
     Sort sort = Sort::place;
     bool is_reversed = false;
     std::string search = {};  ///< a part of the name, object or value of a row, ignoring case
-    bool has_marks = false;   ///< changes are shown in reverse
+    bool has_marks = false;   ///< changes are shown in reverse, and overdue rows faint
   };
 
   explicit LiveTable(By by) : by_(by) {}
@@ -72,6 +72,9 @@ class LiveTable {
     /// Events per second. Decreases when the time since the last one exceeds the longest recent
     /// pause.
     double rate(double age_s) const;
+    /// True if the last one is older than three of the longest recent pauses, and than two seconds;
+    /// of one that came once, than ten seconds.
+    bool is_overdue(double age_s) const;
 
    private:
     double intervals_ = 0;  ///< number of intervals, with less weight for older ones

@@ -10,6 +10,7 @@
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/session/bus_news.hpp"
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/terminal/message.hpp"
@@ -90,28 +91,32 @@ class BusMonitor {
 
   void listen(host::HostBus& bus) {
     bus.on_frame([this, &bus](const host::BusFrame& heard) { show(bus.name(), heard); });
-    bus.on_state([this, &bus](BusState state, Time) {
-      if (!screen_) print_message(fmt::format("{} is {}", bus.name(), text::bus_state_text(state)));
-    });
-    bus.on_trouble([this](const host::Error& error) {
-      if (!screen_) print_message(fmt::format("canvoy: {}", error.line()));
-    });
+    news_.follow(bus);
   }
 
   /// Interval for the keyboard, for nodes to read, and for the log.
   static constexpr Duration period = 100ms;
+  /// Interval for silent nodes and lost frames.
+  static constexpr Duration news_period = 1s;
   /// The picture is drawn in every second step.
   static constexpr unsigned steps_per_picture = 2;
 
   void step(Time end) {
     const bool is_calm = !screen_ && !options_.ask && !log_;
-    const Time until = is_calm ? end : std::min(end, session_.loop().now() + period);
+    const Time until = std::min(end, session_.loop().now() + (is_calm ? news_period : period));
     if (session_.loop().run_until(until) == host::EventLoop::End::stopped) is_over_ = true;
+    look_for_news();
     if (log_) check(log_->flush_each_second(session_.loop().now()));
     if (options_.ask && !is_over_) ask_next();
     if (!screen_) return;
     if (!screen_->take_keys()) is_over_ = true;
     if (++steps_ % steps_per_picture == 0) draw();
+  }
+
+  void look_for_news() {
+    if (session_.loop().now() < next_news_ && !is_over_) return;
+    news_.look(session_.loop().now());
+    next_news_ = session_.loop().now() + news_period;
   }
 
   /// The answers are heard like all other frames.
@@ -128,7 +133,7 @@ class BusMonitor {
   void draw() {
     if (!screen_) return;
     const Duration now = session_.loop().epoch() + session_.loop().now().time_since_epoch();
-    screen_->draw(now, traffic_.text(now),
+    screen_->draw(now, traffic_.text(now), news_.text(session_.loop().now()),
                   table_.is_full() ? "there is no room for more rows" : nodes_.text());
   }
 
@@ -188,6 +193,10 @@ class BusMonitor {
   std::optional<TableScreen> screen_;
   std::optional<LogWriter> log_;
   std::optional<std::string> failure_;
+  BusNews news_{[this](const std::string& line) {
+    if (!screen_) print_message(line);
+  }};
+  Time next_news_{};
   std::uint64_t shown_ = 0;
   unsigned steps_ = 0;
   bool is_over_ = false;

@@ -109,7 +109,8 @@ bool TableScreen::take(Key key) {
   return true;
 }
 
-void TableScreen::draw(Duration now, const std::string& traffic, const std::string& note) {
+void TableScreen::draw(Duration now, const std::string& traffic, const std::string& alarm,
+                       const std::string& note) {
   now_ = now;
   const Screen::Size size = Screen::size();
   const LiveTable& table = frozen_ ? *frozen_ : table_;
@@ -118,6 +119,7 @@ void TableScreen::draw(Duration now, const std::string& traffic, const std::stri
   view_.has_marks = true;
   std::vector<std::string> lines = {
       fmt::format("{}  {}{}", source_, traffic, frozen_ ? "   PAUSED" : "")};
+  if (!alarm.empty()) lines.push_back("\x1b[1m" + alarm + "\x1b[22m");
   if (!note.empty()) lines.push_back(note);
   const std::size_t around = lines.size() + 1;
   view_.rows = size.rows > around ? size.rows - around : 1;

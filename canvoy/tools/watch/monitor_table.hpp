@@ -37,7 +37,9 @@ class TableScreen {
 
   /// Processes all pressed keys; false: the user quits.
   bool take_keys();
-  void draw(Duration now, const std::string& traffic, const std::string& note);
+  /// `alarm`: what is wrong with the bus, also of a picture that was stopped.
+  void draw(Duration now, const std::string& traffic, const std::string& alarm,
+            const std::string& note);
 
  private:
   bool take(Key key);

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "canvoy/formats/trace/trace_writer.hpp"
-#include "canvoy/text/text.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/json_event.hpp"
+#include "canvoy/tools/session/bus_news.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
@@ -77,9 +77,7 @@ class Recording {
     begin_part();
     for (host::HostBus* bus : session_.buses()) {
       bus->on_frame([this, bus](const host::BusFrame& heard) { take(bus->name(), heard); });
-      bus->on_state([bus](BusState state, Time) {
-        print_message(fmt::format("{} is {}", bus->name(), text::bus_state_text(state)));
-      });
+      news_.follow(*bus);
     }
   }
 
@@ -89,6 +87,7 @@ class Recording {
       const Time until = std::min(end, session_.loop().now() + Duration(1s));
       if (session_.loop().run_until(until) == host::EventLoop::End::stopped) is_over_ = true;
       check(out_->flush());
+      news_.look(session_.loop().now());
       if (session_.loop().now() - part_begun_ >= rotation_.time) begin_part();
     }
     check(out_->finish());
@@ -148,14 +147,17 @@ class Recording {
 
   void tell() const {
     if (!options_.json) {
-      fmt::print("{} frames in {}{}\n", frames_, parts_.back(),
-                 part_ > 1 ? fmt::format(", the last of {} parts", part_) : "");
+      const std::uint64_t lost = news_.frames_lost();
+      fmt::print("{} frames in {}{}{}\n", frames_, parts_.back(),
+                 part_ > 1 ? fmt::format(", the last of {} parts", part_) : "",
+                 lost == 0 ? "" : fmt::format("; {} more were lost before they were read", lost));
       return;
     }
     JsonEvent event("recorded");
     event->key("file").text(parts_.back());
     event->key("parts").number(part_);
     event->key("frames").number(frames_);
+    event->key("frames_lost").number(news_.frames_lost());
     event.print();
   }
 
@@ -170,6 +172,7 @@ class Recording {
   Time part_begun_{};
   std::uint64_t frames_ = 0;
   std::optional<std::string> failure_;
+  BusNews news_{[](const std::string& line) { print_message(line); }};
   bool is_over_ = false;
 };
 

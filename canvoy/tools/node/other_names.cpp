@@ -1,0 +1,460 @@
+#include "canvoy/tools/node/other_names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/argument/node_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/other_programs.hpp"
+#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/node/word_order.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// What other tools call a verb, or what is typed for one of ours.
+struct OtherName {
+  std::string_view name;
+  std::string_view verb;
+  bool is_told = false;  ///< it may mean others as well: the line is told, not run
+};
+constexpr auto other_names = std::to_array<OtherName>({
+    {"dump", "monitor"},
+    {"listen", "monitor"},
+    {"sniff", "monitor"},
+    {"watch", "monitor"},
+    {"logs", "monitor"},
+    {"frames", "monitor"},
+    {"trace", "monitor"},
+    {"spy", "monitor"},
+    {"follow", "monitor"},
+    {"traffic", "monitor"},
+    {"tail", "monitor"},
+    {"cat", "decode"},
+    {"head", "decode"},
+    {"parse", "decode"},
+    {"print", "decode"},
+    {"open", "view"},
+    {"analyze", "doctor"},
+    {"analyse", "doctor"},
+    {"diagnose", "doctor"},
+    {"summary", "stats"},
+    {"summarize", "stats"},
+    {"config", "configure"},
+    {"apply", "configure"},
+    {"load-dcf", "configure"},
+    {"list", "scan"},
+    {"find-nodes", "scan"},
+    {"identify", "scan"},
+    {"ls", "scan"},
+    {"ps", "scan"},
+    {"who", "scan"},
+    {"detect", "scan"},
+    {"nodes", "scan"},
+    {"ping", "scan"},
+    {"status", "scan"},
+    {"discover", "scan"},
+    {"diff", "eds diff"},
+    {"compare", "eds diff"},
+    {"validate", "eds check"},
+    {"lint", "eds check"},
+    {"verify", "eds check"},
+    {"info", "eds check", true},
+    {"show", "eds check", true},
+    {"convert", "convert-log"},
+    {"simulate", "run", true},
+    {"sim", "run", true},
+    {"emulate", "run", true},
+    {"start", "nmt"},
+    {"reset", "nmt"},
+    {"log", "record", true},
+    {"capture", "record"},
+    {"factory-reset", "restore"},
+    {"defaults", "restore"},
+    {"play", "replay"},
+    {"cansend", "send"},
+    {"get", "read"},
+    {"upload", "read"},
+    {"sdo", "read", true},
+    {"r", "read"},
+    {"request", "read"},
+    {"query", "read"},
+    {"peek", "read"},
+    {"set", "write"},
+    {"w", "write"},
+    {"poke", "write"},
+    {"download", "write", true},
+    {"test", "check", true},
+    {"flash", "program"},
+    {"serve", "view"},
+    {"web", "view"},
+    {"statistics", "stats"},
+    {"dbc", "export dbc"},
+    {"lookup", "explain"},
+    {"error", "explain"},
+    {"abort", "explain"},
+    {"errno", "explain"},
+    {"what", "explain"},
+    {"find", "search"},
+    {"od", "browse"},
+    {"objects", "browse"},
+    {"dictionary", "browse"},
+});
+
+constexpr auto world_words =
+    std::to_array<std::string_view>({"charger", "lift", "taxi", "police", "bus", "excavator"});
+/// Words for what a verb works on, in front of the verb: `sdo read`, `node scan`.
+constexpr auto nouns =
+    std::to_array<std::string_view>({"sdo", "od", "object", "bus", "can", "node", "nodes",
+                                     "network", "canopen", "trace", "frame", "frames", "log"});
+/// Verbs with verbs below them.
+constexpr auto groups = std::to_array<std::string_view>({"eds", "lss", "export", "nmt"});
+
+bool has_ending(std::string_view word, std::initializer_list<std::string_view> endings) {
+  return std::ranges::any_of(endings,
+                             [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, word) != names.end();
+}
+
+bool is_other_name(std::string_view word) {
+  return std::ranges::find(other_names, word, &OtherName::name) != other_names.end();
+}
+
+std::string typed_line(const Words& words) {
+  return fmt::format("canvoy {}", fmt::join(words, " "));
+}
+
+/// The words behind the first one.
+Words behind(const Words& words, std::size_t count = 1) {
+  return {words.begin() + static_cast<std::ptrdiff_t>(count), words.end()};
+}
+
+Words line(std::initializer_list<std::string_view> first, const Words& rest) {
+  Words made(first.begin(), first.end());
+  made.insert(made.end(), rest.begin(), rest.end());
+  return made;
+}
+
+// The order
+
+/// `-v` has no effect: what is said does not depend on it.
+bool is_loudness(std::string_view word) {
+  return word == "-v" || word == "-vv" || word == "--verbose";
+}
+
+void put_in(Words& words, std::size_t at, const std::string& word) {
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(std::min(at, words.size())), word);
+}
+
+/// Bus and node of options before the verb.
+struct FrontOptions {
+  std::optional<std::string> bus;
+  std::optional<std::string> node;
+};
+FrontOptions take_front_options(Words& words) {
+  FrontOptions taken;
+  while (words.size() > 2 && words.front().starts_with('-')) {
+    const std::string& name = words[0];
+    const std::string& value = words[1];
+    if (is_one_of(name, {"-i", "-c", "-b", "--bus", "--interface", "--channel"}) &&
+        names_bus(value)) {
+      taken.bus = value;
+    } else if (is_one_of(name, {"-n", "--node", "--node-id"}) && find_node_id(value)) {
+      taken.node = value;
+    } else {
+      break;
+    }
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  return taken;
+}
+
+/// Where the bus of a verb stands in the words.
+std::size_t bus_at(const Words& words) {
+  if (is_one_of(words.front(), {"replay", "canplayer", "export", "eds"})) return 2;
+  return is_one_of(words.front(), {"device"}) ? count_places(words) + 1 : 1;
+}
+
+// Names that depend on what stands behind them
+
+bool has_node(const Words& words) {
+  return count_places(words) >= 2 && names_bus(words[1]) && find_node_id(words[2]).has_value();
+}
+
+/// `sdo read`, `node scan`, `profile list`.
+void leave_out_nouns(Words& words) {
+  const bool has_noun = words.size() > 1 && std::ranges::find(nouns, words[0]) != nouns.end() &&
+                        (is_verb_name(words[1]) || is_other_name(words[1]) || words[1] == "write");
+  if (has_noun) words.erase(words.begin());
+  const bool is_list = words.size() > 1 && is_one_of(words[1], {"list", "ls"});
+  if (is_list && words[0] == "profile") words.erase(words.begin() + 1);
+  if (is_list && words[0] == "device") words[1] = "--list";
+}
+
+template <std::size_t size>
+bool is_in(const std::array<std::string_view, size>& names, std::string_view word) {
+  return std::ranges::find(names, word) != names.end();
+}
+
+/// `check-eds` and `eds-check` as `eds check`, `read-sdo` as `read`.
+void part_joined_name(Words& words) {
+  const std::string name = words.front();
+  const std::size_t dash = name.find('-');
+  const bool is_one = dash == std::string::npos || dash == 0 || is_verb_name(name) ||
+                      is_other_name(name) || is_nmt_word(name);
+  if (is_one) return;
+  const std::string first = name.substr(0, dash);
+  const std::string second = name.substr(dash + 1);
+  const auto is_known = [](const std::string& word) {
+    return is_verb_name(word) || is_other_name(word);
+  };
+  if (is_in(groups, second)) {
+    words.front() = first;
+    words.insert(words.begin(), second);
+  } else if (is_in(groups, first)) {
+    words.front() = second;
+    words.insert(words.begin(), first);
+  } else if (is_in(nouns, second) && is_known(first)) {
+    words.front() = first;
+  } else if (is_in(nouns, first) && is_known(second)) {
+    words.front() = second;
+  }
+}
+
+/// `read can0 node 10 object 1018`, `explain abort 06010002`.
+void leave_out_names_of_places(Words& words) {
+  constexpr auto places =
+      std::to_array<std::string_view>({"node", "node-id", "object", "index", "value", "id", "to"});
+  constexpr auto codes =
+      std::to_array<std::string_view>({"abort", "emcy", "emergency", "error", "sdo", "code",
+                                       "state", "id", "cob-id", "object", "-a", "-e", "register"});
+  const bool explains = words.front() == "explain";
+  if (!explains && !is_ask_verb(words.front())) return;
+  for (std::size_t at = words.size() - 1; at > 1 || (explains && at == 1); --at) {
+    const bool is_name = explains ? is_in(codes, words[at]) : is_in(places, words[at]);
+    // The last word is a value; `nmt can0 10 reset node` has a command.
+    const bool is_value = at + 1 == words.size() || words[at - 1] == "reset";
+    if (is_name && !is_value) words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+}
+
+/// A verb of one node, by a name that others have for all of a bus.
+bool use_verb_of_node(Words& words) {
+  const std::string name = words.front();
+  const Words rest = behind(words);
+  if (!has_node(words)) return false;
+  const std::size_t places = count_places(words);
+  if (is_one_of(name, {"dump", "save", "backup", "dcf"})) {
+    words = line({"eds", "read"}, rest);
+  } else if (name == "watch" && places > 2) {
+    words = line({"read"}, rest);
+    words.emplace_back("--watch");
+  } else if (is_one_of(name, {"ping", "info", "show", "status"}) && places == 2) {
+    words = line({"read"}, rest);
+    put_in(words, 3, "1000");
+    if (name != "ping") put_in(words, 4, "1018");
+  } else if (is_one_of(name, {"compare", "diff"}) && places == 3) {
+    words = line({"configure"}, rest);
+    words.emplace_back("--diff");
+  } else if (name == "heartbeat" && places == 2) {
+    words = line({"wait"}, {rest[0], "node=" + rest[1], "and", "heartbeat"});
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// A verb of a bus: `emcy can0` listens, where `emcy can0 10 8130` sends.
+bool use_verb_of_bus(Words& words) {
+  const bool is_of_bus = words.size() > 1 && count_places(words) == 1 && names_bus(words[1]);
+  if (!is_of_bus) return false;
+  const std::string name = words.front();
+  const Words options = behind(words, 2);
+  if (is_one_of(name, {"emcy", "emergency", "emergencies"})) {
+    words = line({"monitor", words[1], "--filter", "EMCY"}, options);
+  } else if (is_one_of(name, {"heartbeat", "heartbeats"})) {
+    words = line({"monitor", words[1], "--filter", "heartbeat"}, options);
+  } else if (is_one_of(name, {"info", "show"})) {
+    words.front() = "scan";
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool use_verb_of_file(Words& words) {
+  if (words.size() < 2) return false;
+  const std::string name = words.front();
+  const std::string& first = words[1];
+  const bool is_world =
+      std::ranges::find(world_words, first) != world_words.end() || first.ends_with(".toml");
+  if (is_one_of(name, {"simulate", "sim", "emulate"})) {
+    // A bus to be put on, or a network to be played.
+    words.front() = is_world && !names_bus(words.back()) ? "run" : "device";
+  } else if (name == "log" && count_places(words) == 2 && names_bus(first)) {
+    words.front() = "record";
+  } else if (name == "log" && is_log_name(first)) {
+    words.front() = "decode";
+  } else if (is_one_of(name, {"filter", "grep"}) && count_places(words) == 2 &&
+             (is_log_name(first) || is_log_name(words[2]))) {
+    const bool is_log_behind = !is_log_name(first);  // as grep has it
+    words = line({"decode", words[is_log_behind ? 2 : 1], "--filter", words[is_log_behind ? 1 : 2]},
+                 behind(words, 3));
+  } else if (name == "export" && first == "csv" && words.size() > 2 && is_log_name(words[2])) {
+    words = line({"decode", words[2], "--csv"}, behind(words, 3));
+  } else if (name == "search" && words.size() == 2 && first.starts_with("0x")) {
+    words.front() = "explain";
+  } else if (name == "explain" && first.find('#') != std::string::npos) {
+    words.front() = "decode";
+  } else if (name == "eds" && is_sheet_name(first)) {
+    words.insert(words.begin() + 1, "check");
+  } else if (name == "eds" && is_one_of(first, {"info", "show", "validate", "lint", "verify"})) {
+    words[1] = "check";
+  } else if (name == "eds" && first == "compare") {
+    words[1] = "diff";
+  } else if (name == "eds" && is_one_of(first, {"new", "create", "generate", "make"})) {
+    words[1] = "export";
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// `reset can0 10 communication`: the other word of the command stands behind the node.
+void join_nmt(Words& words) {
+  if (words.size() > 1 && is_nmt_word(words[0] + '-' + words[1])) {
+    words[0] += '-' + words[1];
+    words.erase(words.begin() + 1);
+  }
+  if (words.front() != "reset") return;
+  for (std::size_t at = 1; at <= count_places(words); ++at) {
+    if (!is_nmt_word("reset-" + words[at])) continue;
+    words[0] += '-' + words[at];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+    return;
+  }
+}
+
+/// A word that is no verb, or one of another kind of thing: what there is for that kind.
+void tell_by_kind(const Words& words) {
+  if (words.size() < 2) return;
+  const std::string& name = words.front();
+  const std::string& thing = words[1];
+  const bool asks = is_ask_verb(name);
+  std::vector<std::string> known(verb_names.begin(), verb_names.end());
+  known.insert(known.end(), {"read", "write", "nmt", "configure", "store", "restore", "send"});
+  const bool is_verb = is_verb_name(name) || is_other_name(name) || is_nmt_word(name);
+  const bool is_typo = !is_verb && !did_you_mean(name, known).empty();
+  if (is_typo || (is_verb && !asks)) return;
+  const std::string what =
+      asks ? fmt::format("'{}' is of a bus", name) : fmt::format("'{}' is not known here", name);
+  const auto tell = [&](std::string_view kind, std::string_view lines) {
+    throw UsageError(
+        fmt::format("{}; of {} there are {}", what, kind, fmt::format(fmt::runtime(lines), thing)));
+  };
+  if (is_log_name(thing)) {
+    tell("a log", "canvoy decode {0}, canvoy stats {0}, canvoy doctor {0} and canvoy view {0}");
+  }
+  if (asks) return;
+  if (is_sheet_name(thing)) tell("a data sheet", "canvoy eds check {0} and canvoy device {0} can0");
+  if (has_node(words)) {
+    tell("a node", fmt::format("canvoy read {{0}} {0} 1018, canvoy browse {{0}} {0} and canvoy eds "
+                               "read {{0}} {0}",
+                               words[2]));
+  }
+  if (names_bus(thing)) {
+    tell("a bus", "canvoy scan {0}, canvoy monitor {0}, canvoy doctor {0} and canvoy view {0}");
+  }
+}
+
+/// The line with our name of the verb.
+void use_own_name(Words& words) {
+  join_nmt(words);
+  const std::string typed = words.front();
+  const auto* const other =
+      std::ranges::find(other_names, is_nmt_word(typed) ? "start" : typed, &OtherName::name);
+  if (other == other_names.end()) return;
+  std::string_view verb = other->verb;
+  if (verb == "convert-log" && words.size() > 1 && is_sheet_name(words[1])) verb = "eds convert";
+  Words meant = behind(words);
+  if (verb == "nmt") put_in(meant, count_places(words), words.front());
+  const std::size_t blank = verb.find(' ');
+  if (blank != std::string_view::npos) put_in(meant, 0, std::string(verb.substr(blank + 1)));
+  put_in(meant, 0, std::string(verb.substr(0, blank)));
+  // A program has no index.
+  const bool is_object = typed == "download" && count_places(words) > 3;
+  if (!other->is_told || is_object) {
+    words = std::move(meant);
+    return;
+  }
+  throw UsageError(
+      fmt::format("'{}' is not known here; {} does that: {}", typed, verb, typed_line(meant)));
+}
+
+}  // namespace
+
+bool is_verb_name(std::string_view word) {
+  return is_ask_verb(word) || std::ranges::find(verb_names, word) != verb_names.end();
+}
+
+bool is_sheet_name(std::string_view word) {
+  return has_ending(word, {".eds", ".dcf", ".xdd", ".xdc", ".EDS", ".DCF"});
+}
+
+bool is_log_name(std::string_view word) {
+  return has_ending(word, {".log", ".asc", ".blf", ".trc", ".mf4", ".pcap", ".pcapng", ".gz"});
+}
+
+void use_bus_in_front(Words& words) {
+  std::erase_if(words, is_loudness);
+  if (words.empty()) return;
+  const FrontOptions front = take_front_options(words);
+  if (front.node) put_in(words, 1, *front.node);
+  if (front.bus) put_in(words, bus_at(words), *front.bus);
+  const bool has_bus = names_bus(words.front()) && words.front() != "sim";  // sim lift: run lift
+  if (has_bus && words.size() == 1) {
+    throw UsageError(
+        fmt::format("which verb? canvoy monitor {0} shows its frames, canvoy scan {0} who is there",
+                    words.front()));
+  }
+  const bool is_name = is_verb_name(words.front()) || is_other_name(words.front());
+  if (!has_bus && (is_name || !find_node_id(words.front()))) return;
+  // The places in front of the verb: a bus, a node, or both.
+  const std::size_t most = has_bus && words.size() > 2 && find_node_id(words[1]) ? 2 : 1;
+  if (words.size() <= most) return;
+  std::rotate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(most),
+              words.begin() + static_cast<std::ptrdiff_t>(most) + 1);
+  const std::size_t at = has_bus ? bus_at(words) : 1;
+  if (at < 2) return;
+  const std::string bus = words[1];
+  words.erase(words.begin() + 1);
+  put_in(words, bus_at(words), bus);
+}
+
+void use_own_names(Words& words) {
+  use_python_can_options(words);
+  use_program(words);
+  part_joined_name(words);
+  leave_out_nouns(words);
+  const bool is_done = use_verb_of_node(words) || use_verb_of_bus(words) || use_verb_of_file(words);
+  if (!is_done) {
+    tell_by_kind(words);
+    use_own_name(words);
+  }
+  leave_out_names_of_places(words);
+}
+
+}  // namespace canvoy::tools
