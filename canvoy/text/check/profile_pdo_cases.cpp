@@ -217,13 +217,13 @@ std::string name_of(const PdoInfo& pdo, std::map<std::string, unsigned>& used) {
   return before == 0 ? name : name + static_cast<char>('a' + before);
 }
 
-struct PdoRow {
+struct ProfilePdoRow {
   std::string_view id;
   std::string_view title;
   std::string_view expects;
   FindWrong find_wrong;
 };
-constexpr PdoRow pdo_rows[] = {
+constexpr ProfilePdoRow profile_pdo_rows[] = {
     {"can-id", "has its CAN-ID", "the CAN-ID while it is valid", find_wrong_can_id},
     {"type", "has its transmission type", "the transmission type", find_wrong_type},
     {"mapping", "carries its entries", "its entries in their order; dummies between them",
@@ -238,7 +238,7 @@ void add_message(TestCases& cases, TestCases& resets, const std::string& name,
     return std::ranges::any_of(message, [&test](const Printed& each) { return test(each.info); });
   };
   const auto shared = std::make_shared<const Message>(message);
-  for (const PdoRow& row : pdo_rows) {
+  for (const ProfilePdoRow& row : profile_pdo_rows) {
     if (row.find_wrong == find_wrong_can_id && !any(has_certain_can_id)) continue;
     cases.push_back(
         {fmt::format("{}-{}", name, row.id), Group::profile, clause,

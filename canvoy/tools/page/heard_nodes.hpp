@@ -23,7 +23,7 @@ namespace canvoy::tools {
 
 class HeardNodes {
  public:
-  using Tell = std::function<void(ToldEvent event)>;
+  using Tell = std::function<void(ReportedEvent event)>;
 
   HeardNodes(FrameFeed& feed, Tell tell);
   ~HeardNodes();

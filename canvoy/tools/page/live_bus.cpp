@@ -22,7 +22,7 @@ LiveBus::LiveBus(const std::string& address, std::string record, const FramePrin
       bus_(value_or_throw(host::open_bus(loop, real_bus(address)))),
       attachment_(loop, *bus_),
       desk_(attachment_.port()),
-      nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }),
+      nodes_(feed_, [this](ReportedEvent event) { events_.add(std::move(event)); }),
       record_(std::move(record)) {
   counted_at_ = loop_.now();
   attachment_.attach(desk_.node());

@@ -84,8 +84,8 @@ std::unique_ptr<FrameStream> LiveLog::watch(const std::string& filter, bool /*is
 void LiveLog::begin_again() {
   begin_anew();
   next_ = 0;
-  nodes_ = std::make_unique<HeardNodes>(feed_,
-                                        [this](ToldEvent event) { events_.add(std::move(event)); });
+  nodes_ = std::make_unique<HeardNodes>(
+      feed_, [this](ReportedEvent event) { events_.add(std::move(event)); });
 }
 
 LiveSource::Json LiveLog::description() {

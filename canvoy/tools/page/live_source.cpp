@@ -7,7 +7,7 @@
 
 namespace canvoy::tools {
 
-void EventLines::add(ToldEvent event) {
+void EventLines::add(ReportedEvent event) {
   std::string& line = lines_.emplace_back(std::move(event.json));
   line.pop_back();
   text::JsonLine(line).key("words").text(event.text);

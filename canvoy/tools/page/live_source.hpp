@@ -22,7 +22,7 @@ class EventLines {
   static constexpr std::size_t lines_max = 10'000;
 
   /// Adds an event as JSON, with its `words`.
-  void add(ToldEvent event);
+  void add(ReportedEvent event);
   void clear() {
     first_ += lines_.size();
     lines_.clear();

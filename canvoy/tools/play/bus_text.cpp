@@ -190,8 +190,8 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
 
 }  // namespace
 
-ToldEvent WorldText<bus_line::BusNetwork>::event(const NetworkEvent& event,
-                                                 const BusNetwork& network) {
+ReportedEvent WorldText<bus_line::BusNetwork>::event(const NetworkEvent& event,
+                                                     const BusNetwork& network) {
   return reported_at(event.at, std::visit(BusTeller(network.options()), event.what));
 }
 

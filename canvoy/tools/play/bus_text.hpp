@@ -12,7 +12,8 @@ namespace canvoy::tools {
 template <>
 struct WorldText<bus_line::BusNetwork> {
   /// Text of an event: `stop: arrives at Town Hall, 32 s late, 12 aboard`.
-  static ToldEvent event(const bus_line::NetworkEvent& event, const bus_line::BusNetwork& network);
+  static ReportedEvent event(const bus_line::NetworkEvent& event,
+                             const bus_line::BusNetwork& network);
   /// Picture for a terminal: displays, the line with the vehicle, bus, the last events.
   static std::string picture(bus_line::BusNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(bus_line::BusNetwork& network);

@@ -41,8 +41,8 @@ std::string node_rows(const ChargerSnapshot& now) {
 
 }  // namespace
 
-ToldEvent WorldText<charger::ChargerNetwork>::event(const ChargerEvent& event,
-                                                    const ChargerNetwork& network) {
+ReportedEvent WorldText<charger::ChargerNetwork>::event(const ChargerEvent& event,
+                                                        const ChargerNetwork& network) {
   return reported_at(
       event.at, std::visit(ChargerTeller(network.options(), network.options().faults), event.what));
 }

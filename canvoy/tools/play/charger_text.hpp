@@ -13,8 +13,8 @@ namespace canvoy::tools {
 template <>
 struct WorldText<charger::ChargerNetwork> {
   /// Text of an event: `the charger enters NMT state operational`.
-  static ToldEvent event(const charger::ChargerEvent& event,
-                         const charger::ChargerNetwork& network);
+  static ReportedEvent event(const charger::ChargerEvent& event,
+                             const charger::ChargerNetwork& network);
   /// Picture for a terminal: about twenty lines.
   static std::string picture(charger::ChargerNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(charger::ChargerNetwork& network);

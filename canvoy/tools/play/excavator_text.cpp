@@ -180,8 +180,8 @@ std::string_view activity_text(excavator::Activity activity) {
   return texts[static_cast<std::size_t>(activity)];
 }
 
-ToldEvent WorldText<excavator::ExcavatorNetwork>::event(const ExcavatorEvent& event,
-                                                        const ExcavatorNetwork& network) {
+ReportedEvent WorldText<excavator::ExcavatorNetwork>::event(const ExcavatorEvent& event,
+                                                            const ExcavatorNetwork& network) {
   return reported_at(event.at, std::visit(ExcavatorTeller(network), event.what));
 }
 

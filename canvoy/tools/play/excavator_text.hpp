@@ -16,8 +16,8 @@ std::string_view activity_text(excavator::Activity activity);
 template <>
 struct WorldText<excavator::ExcavatorNetwork> {
   /// Text of an event: `1.2 m3 of earth come to the heap, of 14.3 m3`.
-  static ToldEvent event(const excavator::ExcavatorEvent& event,
-                         const excavator::ExcavatorNetwork& network);
+  static ReportedEvent event(const excavator::ExcavatorEvent& event,
+                             const excavator::ExcavatorNetwork& network);
   /// Picture for a terminal: machine, seat, bus, the last events.
   static std::string picture(excavator::ExcavatorNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(excavator::ExcavatorNetwork& network);

@@ -337,7 +337,7 @@ Json building_json(const LiftNetworkDescription& network) {
           {"destination_control", network.people.destination_control}};
 }
 
-ToldEvent reported_event(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+ReportedEvent reported_event(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
   return reported_at(event.at, std::visit(LiftTeller(network), event.what));
 }
 
@@ -475,7 +475,7 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
 
 using LiftText = WorldText<lift::LiftNetwork>;
 
-ToldEvent LiftText::event(const lift::LiftEvent& event, const lift::LiftNetwork& network) {
+ReportedEvent LiftText::event(const lift::LiftEvent& event, const lift::LiftNetwork& network) {
   return reported_event(event, network.description());
 }
 

@@ -14,7 +14,8 @@
 namespace canvoy::tools {
 
 /// Text of an event: `lift 2 stops at floor 7`.
-ToldEvent reported_event(const lift::LiftEvent& event, const lift::LiftNetworkDescription& network);
+ReportedEvent reported_event(const lift::LiftEvent& event,
+                             const lift::LiftNetworkDescription& network);
 
 /// Floors and lifts, for drawing.
 nlohmann::ordered_json building_json(const lift::LiftNetworkDescription& network);
@@ -33,7 +34,7 @@ nlohmann::ordered_json lift_summary_json(const lift::LiftSummary& summary,
 template <>
 struct WorldText<lift::LiftNetwork> {
   /// Text of an event: `lift 2 stops at floor 7`.
-  static ToldEvent event(const lift::LiftEvent& event, const lift::LiftNetwork& network);
+  static ReportedEvent event(const lift::LiftEvent& event, const lift::LiftNetwork& network);
   /// Picture for a terminal: the shafts with cars, doors, calls and people.
   static std::string picture(lift::LiftNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(lift::LiftNetwork& network);

@@ -229,8 +229,8 @@ Json call_json(const police::EmergencyCall& call) {
 
 }  // namespace
 
-ToldEvent WorldText<police::PoliceNetwork>::event(const PoliceEvent& event,
-                                                  const PoliceNetwork& network) {
+ReportedEvent WorldText<police::PoliceNetwork>::event(const PoliceEvent& event,
+                                                      const PoliceNetwork& network) {
   return reported_at(event.at, std::visit(PoliceTeller(network), event.what));
 }
 

@@ -12,7 +12,8 @@ namespace canvoy::tools {
 template <>
 struct WorldText<police::PoliceNetwork> {
   /// Text of an event: `call 961: help is wanted 6.6 km away`.
-  static ToldEvent event(const police::PoliceEvent& event, const police::PoliceNetwork& network);
+  static ReportedEvent event(const police::PoliceEvent& event,
+                             const police::PoliceNetwork& network);
   /// Picture for a terminal: roof, siren, displays, radio, crew, bus, the last events.
   static std::string picture(police::PoliceNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(police::PoliceNetwork& network);

@@ -243,7 +243,8 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
 
 }  // namespace
 
-ToldEvent WorldText<taxi::TaxiNetwork>::event(const TaxiEvent& event, const TaxiNetwork& network) {
+ReportedEvent WorldText<taxi::TaxiNetwork>::event(const TaxiEvent& event,
+                                                  const TaxiNetwork& network) {
   return reported_at(event.at, std::visit(TaxiTeller(network), event.what));
 }
 

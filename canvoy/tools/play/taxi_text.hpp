@@ -12,7 +12,7 @@ namespace canvoy::tools {
 template <>
 struct WorldText<taxi::TaxiNetwork> {
   /// Text of an event: `the meter is hired`.
-  static ToldEvent event(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
+  static ReportedEvent event(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
   /// Picture for a terminal: meter, car, bus, the last events.
   static std::string picture(taxi::TaxiNetwork& network, double speed);
   static nlohmann::ordered_json snapshot(taxi::TaxiNetwork& network);

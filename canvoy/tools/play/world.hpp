@@ -307,7 +307,7 @@ class Played : public PlayedNetwork {
     return names;
   }
   std::size_t event_count() const override { return network_.events().size(); }
-  ToldEvent event(std::size_t number) const override {
+  ReportedEvent event(std::size_t number) const override {
     return Text::event(network_.events()[number], network_);
   }
   std::string picture(double speed) override { return Text::picture(network_, speed); }

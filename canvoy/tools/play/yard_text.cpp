@@ -217,7 +217,7 @@ std::vector<Judged> judged_of(const ChargingYard& yard) {
   return all;
 }
 
-ToldEvent WorldText<ChargingYard>::event(const YardEvent& event, const ChargingYard& yard) {
+ReportedEvent WorldText<ChargingYard>::event(const YardEvent& event, const ChargingYard& yard) {
   return reported_at(event.at, reported_event(event, yard));
 }
 

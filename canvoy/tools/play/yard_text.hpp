@@ -13,7 +13,7 @@ namespace canvoy::tools {
 
 template <>
 struct WorldText<charger::ChargingYard> {
-  static ToldEvent event(const charger::YardEvent& event, const charger::ChargingYard& yard);
+  static ReportedEvent event(const charger::YardEvent& event, const charger::ChargingYard& yard);
   /// Picture for a terminal: a line for each bay and each vehicle.
   static std::string picture(charger::ChargingYard& yard, double speed);
   static nlohmann::ordered_json snapshot(charger::ChargingYard& yard);

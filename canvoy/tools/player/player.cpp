@@ -193,7 +193,7 @@ class Player {
   void tell() {
     std::string events;
     for (; told_ < network_.event_count(); ++told_) {
-      const ToldEvent event = network_.event(told_);
+      const ReportedEvent event = network_.event(told_);
       events += options_.json ? event.json + "\n" : event.line();
     }
     if (is_live_) {

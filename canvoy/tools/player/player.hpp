@@ -29,7 +29,7 @@ class PlayedNetwork {
   /// Number of events so far.
   virtual std::size_t event_count() const = 0;
   /// The event with this number, from 0.
-  virtual ToldEvent event(std::size_t number) const = 0;
+  virtual ReportedEvent event(std::size_t number) const = 0;
   /// Picture for a terminal.
   virtual std::string picture(double speed) = 0;
   virtual nlohmann::ordered_json snapshot() = 0;

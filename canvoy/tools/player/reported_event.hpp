@@ -7,7 +7,7 @@
 
 namespace canvoy::tools {
 
-struct ToldEvent {
+struct ReportedEvent {
   Time at{};
   std::string text{};
   std::string json{};  ///< an object with its `time` (docs/json.md)

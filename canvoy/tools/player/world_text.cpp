@@ -64,11 +64,11 @@ Told::Told(Told&& other) noexcept = default;
 Told& Told::operator=(Told&& other) noexcept = default;
 Told::~Told() = default;
 
-std::string ToldEvent::line() const {
+std::string ReportedEvent::line() const {
   return fmt::format("{:>20}  {}\n", text::duration_text(at - Time{}), text);
 }
 
-ToldEvent reported_at(Time at, Told told) {
+ReportedEvent reported_at(Time at, Told told) {
   Json json{{"time", in_seconds(at - Time{})}};
   json.update(told.json());
   return {at, std::move(told.text), json.dump(-1, ' ', false, Json::error_handler_t::replace)};

@@ -89,7 +89,7 @@ class Told {
  private:
   std::unique_ptr<Json> json_;
 };
-ToldEvent reported_at(Time at, Told told);
+ReportedEvent reported_at(Time at, Told told);
 Told told(const WorldNames& names, const BootedUp& event);
 Told told(const WorldNames& names, const NmtStateSeen& event);
 Told told(const WorldNames& names, const NmtCommandSeen& event);

@@ -1,5 +1,5 @@
 // A device with nearly all of the services of CiA 301: two digital inputs and outputs in PDOs that
-// can be mapped anew, SYNC in both directions, guarding, heartbeats, emergencies, storage, further
+// can be mapped again, SYNC in both directions, guarding, heartbeats, emergencies, storage, further
 // SDO channels, and two objects of its maker. It has no behaviour of its own.
 //
 //     CommunicationDevice device;
