@@ -238,7 +238,7 @@ TEST_F(Sensors, NoneTellsWhatIsReserved) {
   SensorUnitDevice<2> bare(other.port(0), 31, {});
   other.connect(0, bare.node());
   other.start_all();
-  for (const std::uint8_t sub : {1, 2}) {
+  for (std::uint8_t sub = 1; sub <= 2; ++sub) {
     EXPECT_EQ(bare.node().dictionary().number(0x6500, sub), 0xFFFC'80'00'00'01U)
         << "a generic sensor, which has no data";
   }
