@@ -29,12 +29,11 @@
 
 namespace canvoy::text {
 
-// Text of PDOs. Most frames of a bus are PDOs, and most of their values repeat: texts of values are
-// cached, for a rate of millions of frames per second.
-//
-//     PdoWords words(values);
-//     words.text(frame.id, decoded, network.generation());  // "temperature = 20.000 °C; ..."
-
+/// Text of PDOs. Most frames of a bus are PDOs, and most of their values repeat: texts of values
+/// are cached, for a rate of millions of frames per second.
+///
+///     PdoWords words(values);
+///     words.text(frame.id, decoded, network.generation());  // "temperature = 20.000 °C; ..."
 class PdoWords {
  public:
   /// `values` must outlive this; several buses may share it.

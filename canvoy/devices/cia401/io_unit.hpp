@@ -49,6 +49,7 @@ struct DigitalInputSettings {
   Duration filter_time = std::chrono::milliseconds(5);
 };
 
+/// The digital inputs of CiA 401: polarity, filter, and which changes start a transmission.
 class DigitalInputs {
  public:
   /// Returns 8 inputs as wired: the group is the sub-index in 6000h, the first input is bit 0.
@@ -87,16 +88,15 @@ class DigitalInputs {
   Timer timer_;
 };
 
-// The digital outputs of CiA 401: polarity, filter mask, and their reaction when the device fails
-// (6200h to 6208h, 6300h to 6308h, 6320h to 6328h).
-//
-//     DigitalOutputs outputs(node, memory, {.drive = ...});
-//     outputs.fail();    // a heartbeat is lost
-//
-// The text of CiA 401 is not at hand. Our reading: an output that the filter mask leaves out keeps
-// its state. Objects show the outputs before their polarity, whatever the width in which they were
-// written. After a failure the outputs stay until they are written.
-
+/// The digital outputs of CiA 401: polarity, filter mask, and their reaction when the device fails
+/// (6200h to 6208h, 6300h to 6308h, 6320h to 6328h).
+///
+///     DigitalOutputs outputs(node, memory, {.drive = ...});
+///     outputs.fail();    // a heartbeat is lost
+///
+/// The text of CiA 401 is not at hand. Our reading: an output that the filter mask leaves out keeps
+/// its state. Objects show the outputs before their polarity, whatever the width in which they were
+/// written. After a failure the outputs stay until they are written.
 class DigitalOutputs {
  public:
   /// Drives 8 outputs as wired: the group counts from 1, the first output is bit 0.

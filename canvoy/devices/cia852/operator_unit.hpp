@@ -19,12 +19,11 @@
 
 namespace canvoy::cia852 {
 
-// The encoders of an operator environment: 6120h:81h to 88h (CiA 852, 9.4), inputs of 32 bits
-// without a narrower object.
-//
-//     EncoderInputs encoders(node, memory, sense);
-//     encoders.look();    // when one may have turned
-
+/// The encoders of an operator environment: 6120h:81h to 88h (CiA 852, 9.4), inputs of 32 bits
+/// without a narrower object.
+///
+///     EncoderInputs encoders(node, memory, sense);
+///     encoders.look();    // when one may have turned
 class EncoderInputs {
  public:
   /// Returns the position of an encoder, counted from 1; it wraps at 2^32.

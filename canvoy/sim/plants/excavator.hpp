@@ -50,6 +50,7 @@ struct CylinderShape {
   double rate = 0.4;       ///< m/s at full flow
 };
 
+/// A hydraulic cylinder between two pivots, and the valve that feeds it.
 class HydraulicCylinder {
  public:
   /// Starts in the middle of the stroke.

@@ -15,10 +15,11 @@ namespace canvoy::conformance {
 
 /// An object of a profile, and its location.
 struct Ruled {
-  const Profile* profile;
-  const ObjectInfo* object;
+  const Profile* profile;    ///< that has the object
+  const ObjectInfo* object;  ///< in the profile
   std::uint16_t above = 0;  ///< for a profile with several blocks: offset from the first block
 
+  /// In the dictionary of the device.
   std::uint16_t index() const { return static_cast<std::uint16_t>(object->index + above); }
   /// True for an object of the communication profile (1000h to 1FFFh).
   bool is_communication() const;
@@ -26,9 +27,9 @@ struct Ruled {
 
 /// The rule for the object: from its virtual device, or from the object itself.
 struct Claim {
-  const VirtualDeviceInfo* device = nullptr;
-  const DeviceObject* as = nullptr;
-  bool is_mandatory = false;
+  const VirtualDeviceInfo* device = nullptr;  ///< null: the rule is that of the object itself
+  const DeviceObject* as = nullptr;           ///< the object in this virtual device; or null
+  bool is_mandatory = false;                  ///< each such device must have it
 };
 /// Reads 1000h.
 Claim claim_of(Bench& bench, const Ruled& ruled);

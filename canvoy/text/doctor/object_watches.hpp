@@ -57,6 +57,7 @@ struct HeardPdo {
   unsigned in_cycle = 0;    ///< number of frames since the SYNC with this number
 };
 
+/// PDOs of a bus by CAN-ID: lengths, senders, inhibit times (CiA 301, 7.2.2).
 class PdoWatch {
  public:
   /// Takes a SYNC: starts a cycle.
@@ -80,13 +81,12 @@ class PdoWatch {
   std::uint64_t cycle_ = 0;  ///< 0: no SYNC was heard
 };
 
-// Compares devices with their data sheets (EDS, DCF, XDD, XDC), by the entries that are read from
-// them, or refused.
-//
-//     SheetWatch sheets;
-//     sheets.add(5, sheet);
-//     sheets.hear(time, frame, decoder.decode(frame));
-
+/// Compares devices with their data sheets (EDS, DCF, XDD, XDC), by the entries that are read from
+/// them, or refused.
+///
+///     SheetWatch sheets;
+///     sheets.add(5, sheet);
+///     sheets.hear(time, frame, decoder.decode(frame));
 class SheetWatch {
  public:
   /// Sets the data sheet of a node. `sheet` must outlive this.
@@ -127,6 +127,7 @@ struct HeardServer {
   std::uint8_t sub = 0;       ///< of the same object
 };
 
+/// SDO channels of a bus: servers without answers, and slow ones (CiA 301, 7.2.4).
 class SdoWatch {
  public:
   /// Time from which an answer is slow: most clients wait for half a second to some seconds.

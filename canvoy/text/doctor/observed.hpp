@@ -22,12 +22,11 @@
 
 namespace canvoy::text {
 
-// Traffic on a bus: amount, senders, times of silence, and load.
-//
-//     TrafficWatch traffic(125'000);
-//     traffic.hear(time, frame, node);
-//     traffic.awake();  // how long somebody spoke
-
+/// Traffic on a bus: amount, senders, times of silence, and load.
+///
+///     TrafficWatch traffic(125'000);
+///     traffic.hear(time, frame, node);
+///     traffic.awake();  // how long somebody spoke
 class TrafficWatch {
  public:
   /// Minimum time without frames that counts as silence: the bus sleeps, or has no power.
@@ -100,13 +99,12 @@ class TrafficWatch {
   std::vector<Share> peak_shares_;
 };
 
-// Error frames and the senders of the affected frames: a controller repeats a destroyed frame at
-// once, so that it is usually the next successful one (ISO 11898-1).
-//
-//     ErrorWatch errors;
-//     errors.hear_error(time, error_frame);
-//     errors.hear(time, frame, 5);  // the frame that was repeated, of node 5
-
+/// Error frames and the senders of the affected frames: a controller repeats a destroyed frame at
+/// once, so that it is usually the next successful one (ISO 11898-1).
+///
+///     ErrorWatch errors;
+///     errors.hear_error(time, error_frame);
+///     errors.hear(time, frame, 5);  // the frame that was repeated, of node 5
 class ErrorWatch {
  public:
   /// Takes an error frame. It counts for the next successful frame, if that comes within 100 ms.
@@ -161,6 +159,7 @@ struct HeardValue {
   Tally tally = {};               ///< occurrences
 };
 
+/// Reserved values, values that report a fault, and frames that violate CiA 301.
 class ValueWatch {
  public:
   /// Takes the decoded content of one frame; ignores a PDO of a wrong length.
@@ -201,6 +200,7 @@ struct HeardNode {
   std::vector<std::uint16_t> codes = {};
 };
 
+/// Unrequested boot-ups (CiA 301, 7.2.8.3.3) and emergencies of each node.
 class NodeWatch {
  public:
   /// More emergencies than this in `storm_time` are a storm.
@@ -234,12 +234,11 @@ class NodeWatch {
   std::array<Node, node_id_max + 1> nodes_{};
 };
 
-// SYNC: its period, and whether two devices send it (CiA 301, 7.2.5).
-//
-//     SyncWatch syncs;
-//     syncs.hear(time, frame, known.sync_period());
-//     syncs.period();  // 100 ms
-
+/// SYNC: its period, and whether two devices send it (CiA 301, 7.2.5).
+///
+///     SyncWatch syncs;
+///     syncs.hear(time, frame, known.sync_period());
+///     syncs.period();  // 100 ms
 class SyncWatch {
  public:
   /// Takes a data frame with the CAN-ID of SYNC. `expected`: 1006h of its producer, if known.

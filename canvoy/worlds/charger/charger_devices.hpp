@@ -31,12 +31,6 @@
 
 namespace canvoy::charger {
 
-// The CANopen manager of the vehicle with a charger and its battery: it gives SDO connections to
-// the nodes that request them (CiA 302-5; CiA 419, 6.1).
-//
-//     VehicleManager manager(world.port(slot), 1, {5, 10});
-//     world.occupy(slot, manager.node());
-
 namespace detail {
 
 /// Two connections at a time, of two COB-IDs each, and one channel for requests.
@@ -49,6 +43,11 @@ inline constexpr auto vehicle_manager_layout = lay_out_device<vehicle_manager_de
 
 }  // namespace detail
 
+/// The CANopen manager of the vehicle with a charger and its battery: it gives SDO connections to
+/// the nodes that request them (CiA 302-5; CiA 419, 6.1).
+///
+///     VehicleManager manager(world.port(slot), 1, {5, 10});
+///     world.occupy(slot, manager.node());
 class VehicleManager {
  public:
   /// `heartbeat_time_out`: a node that is silent for longer is lost, with its connections.
@@ -77,12 +76,11 @@ class VehicleManager {
   HandlerBinding service_{&service_calls, this};
 };
 
-// A port on which frames of a kind can get lost: for the node they count as sent.
-//
-//     LossyPort lossy(world.port(slot));
-//     Node node(tables, memory, lossy.port(), 10);
-//     lossy.lose(0x70A, true);
-
+/// A port on which frames of a kind can get lost: for the node they count as sent.
+///
+///     LossyPort lossy(world.port(slot));
+///     Node node(tables, memory, lossy.port(), 10);
+///     lossy.lose(0x70A, true);
 class LossyPort {
  public:
   /// Frames go to `inner`, which is copied.

@@ -25,13 +25,12 @@
 
 namespace canvoy::charger {
 
-// The faults of a plan between a battery and its charger: it makes and mends them, and reports them
-// as events and to the referees.
-//
-//     ChargerFaults faults(world, options, devices, referees, events);   // plans them all
-
 struct Imposter;
 
+/// The faults of a plan between a battery and its charger: it makes and mends them, and reports
+/// them as events and to the referees.
+///
+///     ChargerFaults faults(world, options, devices, referees, events);   // plans them all
 class ChargerFaults {
  public:
   /// All must outlive the last run of `world`. The constructor puts nodes that faults need on the

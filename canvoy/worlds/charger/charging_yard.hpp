@@ -26,15 +26,14 @@
 
 namespace canvoy::charger {
 
-// The referee of a charging yard: whether each battery has what its owner was promised when it is
-// needed, whether plain batteries are equalised, and what the mains connection bears. It looks at
-// the cells and the mains, not at what chargers and modules say.
-//
-//     YardReferee referee(yard, bays, vehicles);
-//     referee.fault_began(now, bay, kind);
-//     referee.step(now);                     // after each step of the plants and the vehicles
-//     for (const YardInvariant& invariant : referee.invariants()) ok = ok && invariant.held;
-
+/// The referee of a charging yard: whether each battery has what its owner was promised when it is
+/// needed, whether plain batteries are equalised, and what the mains connection bears. It looks at
+/// the cells and the mains, not at what chargers and modules say.
+///
+///     YardReferee referee(yard, bays, vehicles);
+///     referee.fault_began(now, bay, kind);
+///     referee.step(now);                     // after each step of the plants and the vehicles
+///     for (const YardInvariant& invariant : referee.invariants()) ok = ok && invariant.held;
 class YardReferee {
  public:
   /// After a fault, a charger finds its battery again within this time (ServiceWatch::bound).

@@ -36,13 +36,12 @@ namespace canvoy::excavator {
 //     MachineNode node(world, bus, {.name = "seat", .id = 10}, make);
 //     node.power(true);
 
-// A port that loses a share of the frames of a node, or delays each of them: for the node they
-// count as sent.
-//
-//     FaultyPort port(world, world.port(slot), seed);
-//     port.lose(Probability(0.05));
-//     Node node(tables, memory, port.port(), 10);
-
+/// A port that loses a share of the frames of a node, or delays each of them: for the node they
+/// count as sent.
+///
+///     FaultyPort port(world, world.port(slot), seed);
+///     port.lose(Probability(0.05));
+///     Node node(tables, memory, port.port(), 10);
 class FaultyPort {
  public:
   /// `world` must outlive this object.
@@ -89,6 +88,7 @@ class FaultyPort {
   Time last_{};
 };
 
+/// A physical device of an excavator on the simulated bus.
 class MachineNode {
  public:
   /// Which device it is.
@@ -182,13 +182,12 @@ class MachineNode {
   unsigned starts_ = 0;
 };
 
-// The module of a seat between two buses: its node on the bus of the host, and behind it a network
-// of its own, with devices that hosts reach through it (CiA 852, 8.4).
-//
-//     SeatModule module(world, embedded_bus);
-//     module.connect(seat.node());           // each time that the seat is made again
-//     world.occupy(slot, module.access());   // in place of the node
-
+/// The module of a seat between two buses: its node on the bus of the host, and behind it a network
+/// of its own, with devices that hosts reach through it (CiA 852, 8.4).
+///
+///     SeatModule module(world, embedded_bus);
+///     module.connect(seat.node());           // each time that the seat is made again
+///     world.occupy(slot, module.access());   // in place of the node
 class SeatModule {
  public:
   /// `world` must outlive this object. `touched` is called when a frame from behind was passed on

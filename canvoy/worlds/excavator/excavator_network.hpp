@@ -34,11 +34,11 @@
 
 namespace canvoy::excavator {
 
-// The faults of a plan in an excavator: it makes and mends them, and reports them as events and to
-// the referees.
-//
-//     ExcavatorFaults faults(world, bus, options, devices, panel, referees, events);   // plans all
-
+/// The faults of a plan in an excavator: it makes and mends them, and reports them as events and to
+/// the referees.
+///
+///     ExcavatorFaults faults(world, bus, options, devices, panel, referees, events);   // plans
+///     all
 class ExcavatorFaults {
  public:
   /// All must outlive the last run of `world`. `bus` is that of the machine.
@@ -69,16 +69,15 @@ class ExcavatorFaults {
   PowerCuts cuts_;  ///< a node-ID is on one of the two buses only
 };
 
-// A trainer on a second seat of an excavator, who takes the command over and gives it back, while
-// the operator lets go: both watch the lamps that show which seat has the command.
-//
-//     Trainer trainer(own_panel, panel_of_the_operator, driver, moved);
-//     trainer.step(now);            // each step
-//     trainer.lessons();            // lessons in which both had what they asked for
-//
-// In a lesson the trainer slews to one side; then the operator pulls a stick without the command,
-// which moves nothing; then the trainer slews back.
-
+/// A trainer on a second seat of an excavator, who takes the command over and gives it back, while
+/// the operator lets go: both watch the lamps that show which seat has the command.
+///
+///     Trainer trainer(own_panel, panel_of_the_operator, driver, moved);
+///     trainer.step(now);            // each step
+///     trainer.lessons();            // lessons in which both had what they asked for
+///
+/// In a lesson the trainer slews to one side; then the operator pulls a stick without the command,
+/// which moves nothing; then the trainer slews back.
 class Trainer {
  public:
   /// All must outlive this object. `moved` is called when sticks or buttons of a seat have moved.

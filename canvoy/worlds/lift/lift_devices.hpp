@@ -21,11 +21,10 @@
 
 namespace canvoy::lift {
 
-// The group controller of a building on the bus of the group.
-//
-//     LiftGroup group(world, bus, 17, description);
-//     group.start();
-
+/// The group controller of a building on the bus of the group.
+///
+///     LiftGroup group(world, bus, 17, description);
+///     group.start();
 class LiftGroup {
  public:
   /// Makes the node by the group of `description`, without power.

@@ -22,14 +22,14 @@
 
 namespace canvoy::lift {
 
-// The technician of each lift of a building, who is called when a safety chain must be closed by
-// hand, by people who are shut in and press the alarm button (EN 81-28), where a controller reports
-// that its lift stays out of order, and where a referee finds that people have reason to complain.
-//
-//     LiftTechnicians technicians(world, description, devices, crowd, told);
-//     technicians.tripped(1);
-//     technicians.look();        // each second
-
+/// The technician of each lift of a building, who is called when a safety chain must be closed by
+/// hand, by people who are shut in and press the alarm button (EN 81-28), where a controller
+/// reports that its lift stays out of order, and where a referee finds that people have reason to
+/// complain.
+///
+///     LiftTechnicians technicians(world, description, devices, crowd, told);
+///     technicians.tripped(1);
+///     technicians.look();        // each second
 class LiftTechnicians {
  public:
   /// Called for each step; no_floor where the technician is at none.

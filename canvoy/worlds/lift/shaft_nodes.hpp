@@ -17,12 +17,11 @@
 
 namespace canvoy::lift {
 
-// One of the two nodes of a device with two CAN interfaces: what happens to it may give the other
-// node something to do, so that the deadline of that node is read again.
-//
-//     LinkedNode linked(world, lift_node, group_slot);
-//     world.occupy(lift_slot, linked);
-
+/// One of the two nodes of a device with two CAN interfaces: what happens to it may give the other
+/// node something to do, so that the deadline of that node is read again.
+///
+///     LinkedNode linked(world, lift_node, group_slot);
+///     world.occupy(lift_slot, linked);
 class LinkedNode {
  public:
   /// `other` is the slot of the other node. World and node must outlive this object.

@@ -29,14 +29,13 @@
 
 namespace canvoy::lift {
 
-// The car of a lift with the safety chain that guards it, and with its drive: its own, or a real
-// one elsewhere.
-//
-//     ShaftCar car(building, 1, clock);
-//     device(port, id, car.plant().drive_hardware());
-//     car.look_at_chain(now, doors);
-//     car.set_fault(FaultKind::brake, true);
-
+/// The car of a lift with the safety chain that guards it, and with its drive: its own, or a real
+/// one elsewhere.
+///
+///     ShaftCar car(building, 1, clock);
+///     device(port, id, car.plant().drive_hardware());
+///     car.look_at_chain(now, doors);
+///     car.set_fault(FaultKind::brake, true);
 class ShaftCar {
  public:
   /// `building`, and the object to which `clock` refers, must outlive this object.
@@ -104,12 +103,11 @@ class ShaftCar {
   bool was_caught_ = false;  ///< by its gear, before it was cranked
 };
 
-// The light barriers of a car, one in each door, for a unit that is a node of its own.
-//
-//     ShaftLightBarrier barrier(doors);
-//     device(port, id, barrier.hardware());
-//     barrier.cover(true);    // by smoke
-
+/// The light barriers of a car, one in each door, for a unit that is a node of its own.
+///
+///     ShaftLightBarrier barrier(doors);
+///     device(port, id, barrier.hardware());
+///     barrier.cover(true);    // by smoke
 class ShaftLightBarrier {
  public:
   /// `doors` must outlive this object.

@@ -52,6 +52,7 @@ struct NavigationControlSettings {
   bool is_greedy = false;
 };
 
+/// The application of the navigation of a police car, beside its virtual device.
 class NavigationControl {
  public:
   /// `network` must outlive this object; it acts once the node runs.
@@ -90,6 +91,7 @@ struct NavigationControlKind
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 
+/// The navigation of a police car with its satellite receiver, as a device on the bus.
 class NavigationDevice {
  public:
   /// All must outlive this object. `acted` is called for each key on which it has acted.
@@ -129,13 +131,12 @@ class NavigationDevice {
   double scene_at_ = 0;  ///< position in m of the drive
 };
 
-// The terminal that radio, signals and navigation of a police car share: its keys, and the texts on
-// its displays.
-//
-//     TerminalDevice terminal(bus, sabotage);
-//     terminal.press(cia447::NumberPadKey::key_3);
-//     if (terminal.client() == Client::radio) ...
-
+/// The terminal that radio, signals and navigation of a police car share: its keys, and the texts
+/// on its displays.
+///
+///     TerminalDevice terminal(bus, sabotage);
+///     terminal.press(cia447::NumberPadKey::key_3);
+///     if (terminal.client() == Client::radio) ...
 class TerminalDevice {
  public:
   /// Time for which a key is held.

@@ -41,12 +41,11 @@
 
 namespace canvoy::police {
 
-// Makes and mends the faults of the plan in a police car, and reports what they excuse.
-//
-//     PoliceFaults faults(car, options.faults, excuses, events);
-//     faults.plan();
-//     faults.step();       // each 100 ms
-
+/// Makes and mends the faults of the plan in a police car, and reports what they excuse.
+///
+///     PoliceFaults faults(car, options.faults, excuses, events);
+///     faults.plan();
+///     faults.step();       // each 100 ms
 class PoliceFaults {
  public:
   /// All must outlive this object.

@@ -46,6 +46,7 @@ struct RadioControlSettings {
   NodeId handset = 0;       ///< the channel of its microphone
 };
 
+/// The application of the radio of a police car, beside its virtual devices.
 class RadioControl {
  public:
   static constexpr std::uint8_t gain = 100;  ///< of the pairs that it connects (6120h)

@@ -30,6 +30,7 @@ struct RouteDisplaySettings {
   NodeId navigation = 0;  ///< node-ID of the navigation system
 };
 
+/// The application of the driver's unit of a taxi, beside its virtual device.
 class RouteDisplay {
  public:
   /// `network` must outlive this object; it acts once the node runs.

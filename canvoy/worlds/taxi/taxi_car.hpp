@@ -51,6 +51,7 @@ struct AlarmControlSettings {
   Duration call_takes = 2s;  ///< from the alarm to the end of the call
 };
 
+/// The application of the alarm of a taxi, beside its virtual device.
 class AlarmControl {
  public:
   /// What these refer to must outlive this object.
@@ -80,13 +81,12 @@ struct AlarmControlKind
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
 };
 
-// The lamps of the sign on the roof of a taxi, as the tariff display drives them: what people at
-// the road see (CiA 447-3, 4.2.16.4).
-//
-//     RoofSign sign(sabotage);
-//     environment.provide(Callback<cia447::TariffDisplayHardware()>::to<&RoofSign::hardware>(sign));
-//     if (sign.is_vacant()) ...
-
+/// The lamps of the sign on the roof of a taxi, as the tariff display drives them: what people at
+/// the road see (CiA 447-3, 4.2.16.4).
+///
+///     RoofSign sign(sabotage);
+///     environment.provide(Callback<cia447::TariffDisplayHardware()>::to<&RoofSign::hardware>(sign));
+///     if (sign.is_vacant()) ...
 class RoofSign {
  public:
   /// State of each lamp, from lamp 1 on.
@@ -129,13 +129,12 @@ class RoofSign {
   bool has_alarm_ = false;
 };
 
-// Text on the paper of a printer: characters in the order of printing, line by line.
-//
-//     PaperText paper;
-//     hardware.paper = paper.paper();
-//     for (const std::string& line : paper.lines()) ...
-//     paper.copy_to(picture.paper());    // it is drawn as well
-
+/// Text on the paper of a printer: characters in the order of printing, line by line.
+///
+///     PaperText paper;
+///     hardware.paper = paper.paper();
+///     for (const std::string& line : paper.lines()) ...
+///     paper.copy_to(picture.paper());    // it is drawn as well
 class PaperText {
  public:
   /// The result must not outlive this object.

@@ -38,6 +38,7 @@ struct FareDisplaySettings {
   cia447::Currency currency = {};  ///< of the fare
 };
 
+/// The application of the taximeter of a taxi, beside its virtual device.
 class FareDisplay {
  public:
   /// `network` must outlive this object; it acts once the node runs.
@@ -60,11 +61,10 @@ struct FareDisplayKind : cia447::CarKind<FareDisplay, car::NoHardware, FareDispl
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 
-// A flash memory of a simulated device, which keeps its contents while the device has no power.
-//
-//     KeptFlash flash(2, 512);
-//     hardware.flash = &flash.flash();
-
+/// A flash memory of a simulated device, which keeps its contents while the device has no power.
+///
+///     KeptFlash flash(2, 512);
+///     hardware.flash = &flash.flash();
 class KeptFlash {
  public:
   /// An erased memory; `sector_size` in bytes.

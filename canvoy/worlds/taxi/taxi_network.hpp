@@ -48,14 +48,13 @@
 
 namespace canvoy::taxi {
 
-// Reports of the real devices of a taxi on its bus, for the hardware behind them in the simulated
-// car: a real node has the meter, the alarm key or the wheels that count.
-//
-//     RealDevices real({.meter = 2}, hands);
-//     world.occupy(slot, real);   // it hears all frames of the bus
-//
-// They are read at the pre-defined CAN-IDs of their node-IDs.
-
+/// Reports of the real devices of a taxi on its bus, for the hardware behind them in the simulated
+/// car: a real node has the meter, the alarm key or the wheels that count.
+///
+///     RealDevices real({.meter = 2}, hands);
+///     world.occupy(slot, real);   // it hears all frames of the bus
+///
+/// They are read at the pre-defined CAN-IDs of their node-IDs.
 class RealDevices {
  public:
   /// The node-IDs of real devices; 0: the device is simulated here.

@@ -21,11 +21,10 @@
 
 namespace canvoy::cia407 {
 
-// Contents of a passenger information device of CiA 407, element by element, as in 6203h (9.2.8.4).
-// The hardware arranges them.
-//
-//     void show(std::span<const ShownElement> elements);   // from the upper left on
-
+/// Contents of a passenger information device of CiA 407, element by element, as in 6203h
+/// (9.2.8.4). The hardware arranges them.
+///
+///     void show(std::span<const ShownElement> elements);   // from the upper left on
 struct ShownElement {
   /// What the bytes of an element are.
   enum class Content : std::uint8_t {

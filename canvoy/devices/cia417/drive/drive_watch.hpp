@@ -14,12 +14,11 @@
 
 namespace canvoy::cia417 {
 
-// The nodes that hold a drive: they report overspeed (FF05h) or unintended car movement (FF06h; CiA
-// 417-4, 4.11). Each holds it until it has no error any more, or boots.
-//
-//     DriveHold hold(node, emergency_consumer, held);
-//     if (hold.is_held()) ...
-
+/// The nodes that hold a drive: they report overspeed (FF05h) or unintended car movement (FF06h;
+/// CiA 417-4, 4.11). Each holds it until it has no error any more, or boots.
+///
+///     DriveHold hold(node, emergency_consumer, held);
+///     if (hold.is_held()) ...
 class DriveHold {
  public:
   /// `emergencies` may be null: then none are received. Beside the nodes of 1028h, those of `more`

@@ -17,13 +17,12 @@
 
 namespace canvoy::cia417 {
 
-// Checks whether a condition has held without a break for a time: a velocity window (6435h to
-// 6437h), a following error.
-//
-//     Lasting slow;
-//     slow.watch(speed < threshold, now);       // each time that it was measured
-//     if (slow.lasts(100ms, now)) ...
-
+/// Checks whether a condition has held without a break for a time: a velocity window (6435h to
+/// 6437h), a following error.
+///
+///     Lasting slow;
+///     slow.watch(speed < threshold, now);       // each time that it was measured
+///     if (slow.lasts(100ms, now)) ...
 class Lasting {
  public:
   /// Takes whether the condition holds at present.

@@ -13,13 +13,12 @@
 
 namespace canvoy::cia417 {
 
-// Profile velocity mode of a car drive: the velocity of 6430h, within 6408h, and within the
-// software limits of the position (6422h), before which the car stops (CiA 417-4, 4.11.1).
-//
-//     ProfileVelocityMode mode(car, parameters, 20ms);
-//     mode.obey(630, now);
-//     mode.look(now);              // each period: bit 10, the velocity is there
-
+/// Profile velocity mode of a car drive: the velocity of 6430h, within 6408h, and within the
+/// software limits of the position (6422h), before which the car stops (CiA 417-4, 4.11.1).
+///
+///     ProfileVelocityMode mode(car, parameters, 20ms);
+///     mode.obey(630, now);
+///     mode.look(now);              // each period: bit 10, the velocity is there
 class ProfileVelocityMode {
  public:
   /// look() is called every `period` while the car moves. All references must outlive this.
@@ -60,6 +59,7 @@ class ProfileVelocityMode {
   bool slips_ = false;
 };
 
+/// Profile position mode of a car drive.
 class ProfilePositionMode {
  public:
   /// The car has arrived within this distance from its target, in units of position. All references

@@ -42,6 +42,7 @@ struct GroupMemberSettings {
   NodeId group_controller = group_controller_id;  ///< monitored by its heartbeat
 };
 
+/// A lift controller on the bus of its group.
 class GroupMember {
  public:
   /// The size of `queue` limits the calls that wait for the group bus: the lift itself takes any

@@ -21,13 +21,12 @@
 
 namespace canvoy::cia447 {
 
-// The gains of an audio switch, for each pair of an input and an output (CiA 447-3, 4.2.19).
-// Channel n is the device with node-ID n; 0 stands for all channels.
-//
-//     AudioMatrix matrix;
-//     matrix.connect(0, 3, 80);   // all inputs to output 3
-//     matrix.gain(7, 3);          // 80
-
+/// The gains of an audio switch, for each pair of an input and an output (CiA 447-3, 4.2.19).
+/// Channel n is the device with node-ID n; 0 stands for all channels.
+///
+///     AudioMatrix matrix;
+///     matrix.connect(0, 3, 80);   // all inputs to output 3
+///     matrix.gain(7, 3);          // 80
 class AudioMatrix {
  public:
   static constexpr unsigned channels = 16;        ///< node-IDs 1 to 16

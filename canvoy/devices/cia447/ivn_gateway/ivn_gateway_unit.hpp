@@ -25,16 +25,15 @@
 
 namespace canvoy::cia447 {
 
-// Measured values of the car of an IVN gateway, sensed every 100 ms. States (doors, engine,
-// occupants ...) are reported to it instead, and commands go to `switched.drive`.
-//
-//     CarHardware hardware{.speed = Callback<std::optional<double>()>::to<&Taxi::speed>(taxi),
-//     ...};
-
 /// The value of a sensor; nothing: it has failed. An empty callback: the car has no such sensor,
 /// and the signal is not available.
 using Sensor = Callback<std::optional<double>()>;
 
+/// Measured values of the car of an IVN gateway, sensed every 100 ms. States (doors, engine,
+/// occupants ...) are reported to it instead, and commands go to `switched.drive`.
+///
+///     CarHardware hardware{.speed = Callback<std::optional<double>()>::to<&Taxi::speed>(taxi),
+///     ...};
 struct CarHardware {
   Sensor speed = {};     ///< m/s; the sign is ignored
   Sensor distance = {};  ///< m driven by the car, forwards and backwards; never decreases

@@ -19,12 +19,11 @@
 
 namespace canvoy::cia447 {
 
-// The access of a device to the bus, which can be closed: a device that sleeps sends nothing.
-//
-//     MutedPort muted(port);
-//     Node node(tables, memory, muted.port(), 5);
-//     muted.mute(true);
-
+/// The access of a device to the bus, which can be closed: a device that sleeps sends nothing.
+///
+///     MutedPort muted(port);
+///     Node node(tables, memory, muted.port(), 5);
+///     muted.mute(true);
 class MutedPort {
  public:
   /// Makes an open access; the context of `port` must outlive it.

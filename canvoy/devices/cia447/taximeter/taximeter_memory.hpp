@@ -18,15 +18,14 @@
 
 namespace canvoy::cia447 {
 
-// Bytes that a taximeter keeps in flash, written step by step, so that no call waits for the flash.
-// After a loss of power, either the old or the new bytes exist
-// (canvoy/canopen/storage/record_pair.hpp).
-//
-//     KeptImage image(node, flash, {.address = 0, .slot_size = 512, .kind = kind, .layout = 1},
-//                     {writing, waiting});
-//     if (image.load(bytes) == RecordState::valid) ...
-//     image.save(bytes);
-
+/// Bytes that a taximeter keeps in flash, written step by step, so that no call waits for the
+/// flash. After a loss of power, either the old or the new bytes exist
+/// (canvoy/canopen/storage/record_pair.hpp).
+///
+///     KeptImage image(node, flash, {.address = 0, .slot_size = 512, .kind = kind, .layout = 1},
+///                     {writing, waiting});
+///     if (image.load(bytes) == RecordState::valid) ...
+///     image.save(bytes);
 class KeptImage {
  public:
   /// Location and kind of the bytes.

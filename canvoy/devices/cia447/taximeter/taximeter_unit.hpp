@@ -41,14 +41,13 @@
 
 namespace canvoy::cia447 {
 
-// Limits the influence of a clock on a taximeter: in a trip, it may differ by at most two minutes
-// from the meter's own time. Between two trips it may be set, and the difference is recorded. So
-// neither a clock that jumps nor one that drifts changes a trip or its tariff.
-//
-//     ClockBounds bounds;
-//     const LocalTime now = bounds.take(told, node.now(), has_trip);
-//     if (bounds.is_beyond(told, node.now())) ...
-
+/// Limits the influence of a clock on a taximeter: in a trip, it may differ by at most two minutes
+/// from the meter's own time. Between two trips it may be set, and the difference is recorded. So
+/// neither a clock that jumps nor one that drifts changes a trip or its tariff.
+///
+///     ClockBounds bounds;
+///     const LocalTime now = bounds.take(told, node.now(), has_trip);
+///     if (bounds.is_beyond(told, node.now())) ...
 class ClockBounds {
  public:
   static constexpr std::int64_t step_max = 120;          ///< s

@@ -35,6 +35,7 @@ struct WheelSeen {
   std::uint32_t k = 1;                    ///< pulses for a distance unit
 };
 
+/// Checks wheel pulses (6055h) against speed and engine.
 class WheelCheck {
  public:
   /// False: the pulses are not from the wheels, which have stood for a second.
