@@ -11,6 +11,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace canvoy::host {
 
@@ -24,6 +25,8 @@ constexpr Duration stuck_delay = 1ms;
 // Stamps outside of this range are from a wall clock that was set since the loop began.
 constexpr Duration stamp_age_max = 60s;
 constexpr Duration stamp_lead_max = 1s;
+// Of a task that is to be asked for its deadline.
+constexpr Time always = Time::min();
 // Beyond it a deadline has no effect, and would overflow in nanoseconds.
 constexpr Time deadline_max{Duration{1h} * 24 * 365 * 50};
 
@@ -73,6 +76,25 @@ sigset_t ending_signals() {
   sigaction(SIGHUP, nullptr, &hang_up);
   if (hang_up.sa_handler == SIG_DFL) sigaddset(&signals, SIGHUP);
   return signals;
+}
+
+const Time* due_of(const Task& task) {
+  return task.due == nullptr ? &always : task.due;
+}
+
+constexpr Time earlier(Time one, Time other) {
+  return other < one ? other : one;
+}
+
+constexpr std::size_t tasks_at_once = 8;
+
+/// Without a branch between them.
+template <std::size_t... i>
+Time earliest_of(const Time* const* dues, std::index_sequence<i...>) {
+  Time first = *dues[0];
+  Time second = *dues[tasks_at_once / 2];
+  ((i % 2 == 0 ? first = earlier(first, *dues[i]) : second = earlier(second, *dues[i])), ...);
+  return earlier(first, second);
 }
 
 Error loop_error(int error) {
@@ -148,7 +170,7 @@ EventLoop::Watch* EventLoop::find_watch(Id id) {
 
 EventLoop::Id EventLoop::add(const Task& task) {
   tasks_.push_back({++last_id_, task, {}});
-  dues_.push_back(task.due);
+  dues_.push_back(due_of(task));
   return last_id_;
 }
 
@@ -237,7 +259,7 @@ std::optional<Time> EventLoop::advance_tasks() {
   if (std::exchange(has_removed_, false)) {
     std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
     dues_.clear();
-    for (const TaskEntry& entry : tasks_) dues_.push_back(entry.task.due);
+    for (const TaskEntry& entry : tasks_) dues_.push_back(due_of(entry.task));
   }
   advanced_to_ = now();
   Time next = first_timer();
@@ -264,13 +286,19 @@ std::optional<Time> EventLoop::advance_tasks() {
 std::size_t EventLoop::skip_idle(std::size_t position, Time& next) const {
   const std::span<const Time* const> dues = dues_;
   const Time current = advanced_to_;
-  Time earliest = next;
-  for (; position < dues.size(); ++position) {
-    const Time* const due = dues[position];
-    if (due == nullptr || *due <= current) break;
-    earliest = std::min(earliest, *due);
+  while (position < dues.size() && *dues[position] > current) {
+    while (dues.size() - position >= tasks_at_once) {
+      const Time several = earliest_of(&dues[position], std::make_index_sequence<tasks_at_once>());
+      if (several <= current) break;
+      next = earlier(next, several);
+      position += tasks_at_once;
+    }
+    // One of these is due, or they are the last ones.
+    const std::size_t end = std::min(dues.size(), position + tasks_at_once);
+    for (; position<end&& * dues[position]> current; ++position) {
+      next = earlier(next, *dues[position]);
+    }
   }
-  next = earliest;
   return position;
 }
 

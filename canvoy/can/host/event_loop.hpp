@@ -175,7 +175,7 @@ class EventLoop {
   Id last_id_ = 0;
   std::vector<Watch> watches_;
   std::vector<TaskEntry> tasks_;
-  std::vector<const Time*> dues_;  ///< of `tasks_`, side by side; null: to be asked
+  std::vector<const Time*> dues_;  ///< of `tasks_`, side by side
   bool has_removed_ = false;       ///< a task
   std::map<std::pair<Time, Id>, TimerAction> timers_;
   LoopCounters counters_;

@@ -197,6 +197,29 @@ TEST_F(EventLoopTest, ADeadlineThatStandsInMemoryIsReadThere) {
   EXPECT_LE(loop_->counters().wakeups, 10U);
 }
 
+TEST_F(EventLoopTest, OfManyDeadlinesInMemoryEachIsKeptWhereverItStands) {
+  std::array<Worker, 37> workers;
+  const Time start = loop_->now();
+  // Of each eight neighbours another one, and the last; one among them is asked.
+  constexpr std::array<std::size_t, 6> busy = {0, 9, 18, 27, 28, 36};
+  for (std::size_t i = 0; i < busy.size(); ++i) {
+    workers.at(busy.at(i)).due = start + (6 - i) * 1ms;
+  }
+  workers[0].work = [&] { loop_->stop(); };
+  for (std::size_t i = 0; i < workers.size(); ++i) {
+    Task task = workers.at(i).task();
+    if (i != 18) task.due = &workers.at(i).due;
+    loop_->add(task);
+  }
+  EXPECT_EQ(loop_->run_until(start + 5s), EventLoop::End::stopped);
+  for (std::size_t i = 0; i < busy.size(); ++i) {
+    const Worker& worker = workers.at(busy.at(i));
+    ASSERT_EQ(worker.calls.size(), 1U) << busy.at(i);
+    EXPECT_GE(worker.calls[0], start + (6 - i) * 1ms) << busy.at(i);
+  }
+  EXPECT_TRUE(workers[1].calls.empty());
+}
+
 TEST_F(EventLoopTest, WithNothingToDoTheLoopSleeps) {
   loop_->run_until(loop_->now() + 20ms);
   EXPECT_LE(loop_->counters().wakeups, 3U);

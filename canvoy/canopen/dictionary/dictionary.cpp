@@ -135,50 +135,35 @@ void Dictionary::make_index() {
   if (objects.empty()) return;
   Index& index = index_.value;
   index.first = objects.front().index;
-  index.last = objects.back().index + objects.back().count - 1U;
-  index.scale = (std::uint64_t{objects.size()} << 32) / (index.last - index.first + 1);
-  // A part begins at the last row that begins before it.
+  index.reach = objects.back().index + objects.back().count - 1U - index.first;
+  index.scale = (std::uint64_t{objects.size()} << 32) / (index.reach + 1);
+  // A part begins at the first row that ends in it or after it.
   std::size_t part = 0;
-  for (std::size_t row = 1; row < objects.size(); ++row) {
-    const std::size_t own = part_of(objects[row].index - index.first, index.scale);
-    for (; part <= own; ++part) states_.value[part].place = static_cast<std::uint16_t>(row - 1);
+  for (std::size_t row = 0; row < objects.size(); ++row) {
+    const std::uint32_t end = objects[row].index + objects[row].count - 1U - index.first;
+    const std::size_t own = part_of(end, index.scale);
+    for (; part <= own; ++part) states_.value[part].place = static_cast<std::uint16_t>(row);
   }
   for (; part < objects.size(); ++part) {
     states_.value[part].place = static_cast<std::uint16_t>(objects.size() - 1);
   }
 }
 
-/// For who remembers what it found, and so seldom comes here.
+/// Row of the object, or null: for who remembers what it found, and so seldom comes here.
 [[gnu::noinline]] const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
   if constexpr (is_small_machine) return search(tables_.objects, index);
-  const Index& all = index_.value;
-  const std::uint32_t away = index - all.first;
-  if (index > all.last || away > all.last) return nullptr;
-  const std::size_t part = part_of(away, all.scale);
+  const std::uint32_t away = index - index_.value.first;
+  if (away > index_.value.reach) return nullptr;
+  return search_part(part_of(away, index_.value.scale), index);
+}
+
+/// Most parts have one row or two.
+const ObjectRow* Dictionary::search_part(std::size_t part, std::uint16_t index) const {
+  if constexpr (is_small_machine) return nullptr;
   const std::size_t first = states_.value[part].place;
   const std::size_t last = part + 1 < tables_.objects.size() ? states_.value[part + 1].place
                                                              : tables_.objects.size() - 1;
-  // Most parts have one row or two.
-  const ObjectRow* row = tables_.objects.data() + first;
-  for (std::size_t length = last - first + 1; length > 1;) {
-    const std::size_t half = length / 2;
-    row = row[half].index <= index ? row + half : row;
-    length -= half;
-  }
-  return contains(*row, index) ? row : nullptr;
-}
-
-/// Row of the object, or null.
-inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
-  if constexpr (is_small_machine) {
-    return search(tables_.objects, index);
-  } else {
-    const ObjectRow*& remembered = remembered_.value[slot_of(index)];
-    if (contains(*remembered, index)) return remembered;
-    const ObjectRow* object = search_object(index);
-    if (object != nullptr) remembered = object;
-    return object;
-  }
+  return search(tables_.objects.subspan(first, last - first + 1), index);
 }
 
 /// An object has few rows, so a small machine searches them in sequence.
@@ -200,21 +185,51 @@ inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint
   return row != nullptr && sub <= row->sub_last ? row : nullptr;
 }
 
-[[gnu::always_inline]] inline AbortCode Dictionary::look_up(Entry& entry) const {
-  const ObjectRow* object = find_object(entry.index);
-  if (object == nullptr) return AbortCode::no_object;
-  const EntryShape* row = find_row(*object, entry.sub);
+[[gnu::always_inline]] inline AbortCode Dictionary::look_up_in(const ObjectRow& object,
+                                                               Entry& entry) const {
+  const EntryShape* row = find_row(object, entry.sub);
   if (row == nullptr) return AbortCode::no_sub_index;
   // Most rows have one sub-index, and their pitch is not needed.
   const auto place = static_cast<std::uint32_t>(entry.sub - row->sub_first);
-  std::uint8_t* value = values_ + object->offset + row->offset +
-                        static_cast<std::uint32_t>(entry.index - object->index) * object->pitch;
+  std::uint8_t* value = values_ + object.offset + row->offset +
+                        static_cast<std::uint32_t>(entry.index - object.index) * object.pitch;
   entry.row = row;
   if constexpr (!is_small_machine) {
-    entry.state.value = states_.value + (object - tables_.objects.data());
+    entry.state.value = states_.value + (&object - tables_.objects.data());
   }
   entry.value = place == 0 ? value : value + place * row->pitch();
   return AbortCode::none;
+}
+
+[[gnu::always_inline]] inline AbortCode Dictionary::look_up(Entry& entry) const {
+  if constexpr (is_small_machine) {
+    const ObjectRow* const object = search(tables_.objects, entry.index);
+    return object == nullptr ? AbortCode::no_object : look_up_in(*object, entry);
+  } else {
+    const ObjectRow& remembered = *remembered_.value[slot_of(entry.index)];
+    return contains(remembered, entry.index) ? look_up_in(remembered, entry) : look_up_anew(entry);
+  }
+}
+
+[[gnu::always_inline]] inline AbortCode Dictionary::remember(const ObjectRow& object,
+                                                             Entry& entry) const {
+  if constexpr (!is_small_machine) remembered_.value[slot_of(entry.index)] = &object;
+  return look_up_in(object, entry);
+}
+
+/// In functions without a call in between: most objects are the first ones of their parts.
+[[gnu::noinline]] AbortCode Dictionary::look_up_anew(Entry& entry) const {
+  if constexpr (is_small_machine) return AbortCode::no_object;
+  const std::uint32_t away = entry.index - index_.value.first;
+  if (away > index_.value.reach) return AbortCode::no_object;
+  const std::size_t part = part_of(away, index_.value.scale);
+  const ObjectRow& row = tables_.objects[states_.value[part].place];
+  return contains(row, entry.index) ? remember(row, entry) : look_up_in_part(part, entry);
+}
+
+[[gnu::noinline]] AbortCode Dictionary::look_up_in_part(std::size_t part, Entry& entry) const {
+  const ObjectRow* const object = search_part(part, entry.index);
+  return object == nullptr ? AbortCode::no_object : remember(*object, entry);
 }
 
 AbortCode Dictionary::locate(Entry& entry) const {
@@ -278,12 +293,25 @@ std::uint32_t Dictionary::notify(ServiceEvent& event) const {
   return event.answer;
 }
 
-bool Dictionary::is_watched(const Entry& entry) const {
-  if (is_small_machine || entry.watchers() == 0) return false;
-  ServiceEvent event{.kind = ServiceEvent::watch_asked,
-                     .number = static_cast<std::uint32_t>(entry.value - values_)};
-  notify_frequent(event);
-  return event.answer != 0;
+EntryWatchers Dictionary::find_watchers(const Entry& entry) const {
+  EntryWatchers found;
+  if (is_small_machine || entry.watchers() == 0) return found;
+  bool is_only = true;
+  NodeService* service = frequent_.value.first;
+  for (; service != nullptr; service = service->frequent_.value.next) {
+    const std::uint32_t events = service->frequent_.value.events;
+    if ((events & NodeService::EventMask::watch) == 0) {
+      is_only = is_only && (events & NodeService::EventMask::values) == 0;
+      continue;
+    }
+    ServiceEvent event{.kind = ServiceEvent::watch_asked, .number = offset_of(entry)};
+    service->notify(event);
+    if (event.answer == 0) continue;
+    is_only = is_only && !found.are_there;
+    found = {.are_there = true, .only = event.subject};
+  }
+  if (!is_only) found.only = nullptr;
+  return found;
 }
 
 /// Refreshes an entry; on a small machine with the checks before it, so that they exist once.
@@ -393,7 +421,7 @@ void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
   const std::uint32_t watchers = entry.watchers();
   if (watchers != 0 && (difference != 0 || !are_equal(place, value.data(), size))) {
     changes_ |= watchers;
-    changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
+    changed_places_.value.add(offset_of(entry));
   }
   copy(place, value.data(), size);
 }
@@ -413,7 +441,7 @@ void Dictionary::set_with_event(const Entry& entry, std::span<const std::uint8_t
     copy_number(entry, value);
     changes_ |= entry.watchers();
     if (entry.watchers() != 0) {
-      changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
+      changed_places_.value.add(offset_of(entry));
     }
     ServiceEvent event{.kind = ServiceEvent::value_set, .number = 1, .subject = &entry};
     notify_frequent(event);

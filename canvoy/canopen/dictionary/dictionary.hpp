@@ -76,15 +76,6 @@ struct Entry {
   }
 };
 
-/// Position of an entry, in few bytes: for hosts, which keep thousands of them.
-struct EntryPlace {
-  std::uint32_t offset = 0;  ///< of its value, in bytes from the start of the block
-  std::uint16_t object = 0;  ///< position of its ObjectRow
-  std::uint16_t row = 0;     ///< position of its EntryShape
-  std::uint16_t index = 0;   ///< index in the tables
-  std::uint8_t sub = 0;      ///< sub-index
-};
-
 /// The first few watched values that were changed, so that the TPDOs that map them are found
 /// without a search through all.
 struct ChangedPlaces {
@@ -274,29 +265,16 @@ class Dictionary {
   /// For hosts: functions to ask and to notify of writes of an entry. Valid until revision()
   /// changes. Linear in the number of services.
   EntryHooks find_hooks(const Entry& entry);
-  /// For hosts: true if a TPDO maps this entry. Valid until revision() changes.
-  bool is_watched(const Entry& entry) const;
-  /// For hosts: the place of a located entry, and the entry at a place.
-  EntryPlace place_of(const Entry& entry) const {
-    return {.offset = static_cast<std::uint32_t>(entry.value - values_),
-            .object = static_cast<std::uint16_t>(entry.state.value - states_.value),
-            .row = static_cast<std::uint16_t>(entry.row - tables_.entries.data()),
-            .index = entry.index,
-            .sub = entry.sub};
+  /// For hosts: which TPDOs map this entry. Valid until revision() changes.
+  EntryWatchers find_watchers(const Entry& entry) const;
+  /// For hosts: bytes from the start of all values to that of a located entry.
+  std::uint32_t offset_of(const Entry& entry) const {
+    return static_cast<std::uint32_t>(entry.value - values_);
   }
-  /// The entry at a place of this dictionary, in constant time.
-  Entry entry_at(const EntryPlace& place) const {
-    Entry entry{.row = &tables_.entries[place.row],
-                .value = values_ + place.offset,
-                .index = place.index,
-                .sub = place.sub};
-    entry.state.value = states_.value + place.object;
-    return entry;
-  }
-  /// For hosts: notes that the watched value at a place was changed without set().
-  void note_change(const EntryPlace& place) {
-    changes_ |= states_.value[place.object].watchers;
-    changed_places_.value.add(place.offset);
+  /// For hosts: notes that the value of a watched entry was changed without set().
+  void note_change(const Entry& entry) {
+    changes_ |= entry.watchers();
+    changed_places_.value.add(offset_of(entry));
   }
 
   /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry are
@@ -395,8 +373,8 @@ class Dictionary {
   void watch(const Entry& entry, std::uint32_t watchers);
   /// Removes these watchers from all rows. Linear in the number of rows.
   void unwatch(std::uint32_t watchers);
-  /// For hosts: counts attached hooks and changes of watchers. Data that depends on them is valid
-  /// while the number is the same.
+  /// For hosts: counts attached hooks and listeners, and changes of watchers. Data that depends on
+  /// them is valid while the number is the same.
   std::uint32_t revision() const { return revision_.value; }
 
   /// Tables with which it was made.
@@ -414,15 +392,19 @@ class Dictionary {
   /// in ObjectState::place where its rows begin.
   struct Index {
     std::uint32_t first = 0x1'0000;  ///< the lowest index; here above all of them
-    std::uint32_t last = 0;          ///< the highest one, from there on
+    std::uint32_t reach = 0;         ///< the highest one, counted from the lowest
     std::uint64_t scale = 0;         ///< parts for each index, times 2^32
   };
 
   void make_index();
-  const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
+  const ObjectRow* search_part(std::size_t part, std::uint16_t index) const;
   const EntryShape* find_row(const ObjectRow& object, std::uint8_t sub) const;
   AbortCode look_up(Entry& entry) const;
+  AbortCode look_up_in(const ObjectRow& object, Entry& entry) const;
+  AbortCode look_up_anew(Entry& entry) const;
+  AbortCode look_up_in_part(std::size_t part, Entry& entry) const;
+  AbortCode remember(const ObjectRow& object, Entry& entry) const;
   bool has_value(Entry& entry) const;
   static AbortCode check_read(const Entry& entry) {
     if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
@@ -451,6 +433,7 @@ class Dictionary {
     last_ = &service.next_;
   }
   void append_frequent(NodeService& service) {
+    ++revision_.value;
     NodeService*& last = frequent_.value.last;
     (last == nullptr ? frequent_.value.first : last->frequent_.value.next) = &service;
     last = &service;

@@ -183,7 +183,7 @@ class Node {
   }
   /// Counts a frame that a service ignored.
   void count_malformed() { ++counters_.malformed; }
-  /// For hosts: counts a read of an entry of a PDO mapping record.
+  /// For hosts: counts a read of an entry of a PDO mapping record, or that one is set.
   void count_mapping_read() {
     if constexpr (!is_small_machine) ++mapping_reads_.value;
   }
@@ -212,8 +212,8 @@ class Node {
   Transmitter& transmitter() { return transmitter_; }
   /// Counts since the node was made; they wrap at 2^32.
   const Counters& counters() const { return counters_; }
-  /// For hosts: number of reads of entries of PDO mapping records since the start. They are read
-  /// when a mapping is set, never for a frame.
+  /// For hosts: number of reads of entries of PDO mapping records since the start, and of mappings
+  /// that were set. They are read when a mapping is set, never for a frame.
   std::uint32_t mapping_reads() const { return mapping_reads_.value; }
 
  private:

@@ -216,8 +216,7 @@ class PdoService : protected NodeService {
   /// Packs the present values. If `asks`, hooks may refresh them before.
   void pack(const Pdo& pdo, PdoImage& image, bool asks) {
     if (Pdo::has_plans && pdo.plan_ == Pdo::whole) {
-      store(image.data(),
-            canvoy::load<std::uint64_t>(node_.dictionary().values() + values_of(pdo)->offset()));
+      store(image.data(), canvoy::load<std::uint64_t>(values_of(pdo)->value()));
     } else {
       pack_any(pdo, image, asks);
     }
@@ -236,33 +235,44 @@ class PdoService : protected NodeService {
   }
   /// Like go_through(), but for hosts, with the resolved mapping.
   std::uint32_t carry_out(const Pdo& pdo, const PdoImage& image, Step step);
-  /// For hosts: carries out all steps for received data.
-  std::uint32_t take_values(const Pdo& pdo, const PdoImage& image);
+  // Its steps, of which only ask_for_values() and announce_values() call anybody.
+  static bool are_within_limits(const Pdo& pdo, const std::int64_t* numbers, std::uint64_t image);
+  bool are_doubtful(const Pdo& pdo, std::uint64_t image) const;
+  std::uint32_t ask_for_values(const Pdo& pdo, const PdoImage& image) const;
+  void note_changes(const Pdo& pdo, std::uint64_t image);
+  void write_one_by_one(const Pdo& pdo, const PdoImage& image);
+  void write_values(const Pdo& pdo, const PdoImage& image);
+  void announce_values(const Pdo& pdo) const;
+  void announce_rest(const Pdo& pdo, const MappedValue* first, unsigned start) const;
   /// For hosts: copies received values by the plan.
-  [[gnu::always_inline]] void copy(const Pdo& pdo, const PdoImage& image) const {
+  [[gnu::always_inline]] static void copy(const Pdo& pdo, const PdoImage& image) {
     const MappedValue* const values = values_of(pdo);
-    std::uint8_t* const block = node_.dictionary().values();
+    if (pdo.plan_ == Pdo::whole) [[likely]] {
+      std::memcpy(values->value(), image.data(), pdo_bytes_max);
+      return;
+    }
     switch (pdo.plan_) {
-      case Pdo::whole:
-        std::memcpy(block + values->offset(), image.data(), pdo_bytes_max);
-        return;
       case Pdo::bytes:
-        return scatter<std::uint8_t>(block, values, image);
+        return scatter<std::uint8_t>(values, image);
       case Pdo::words:
-        return scatter<std::uint16_t>(block, values, image);
+        return scatter<std::uint16_t>(values, image);
       case Pdo::longs:
-        return scatter<std::uint32_t>(block, values, image);
+        return scatter<std::uint32_t>(values, image);
       default:
-        std::memcpy(block + values->offset(), image.data(), pdo.length_);
+        std::memcpy(values->value(), image.data(), pdo.length_);
     }
   }
   /// Calls `act(value, start)` for the values of an active PDO, in their order, while it returns
   /// true. The mapping may change in between; the loop then continues with the new values.
   template <class Act>
   void for_values(const Pdo& pdo, Act act) const {
-    const MappedValue* value = values_of(pdo);
-    const MappedValue* const end = value + places_.value.share;
-    for (unsigned start = 0; start < pdo.bits_ && value != end; ++value) {
+    for_values_from(values_of(pdo), 0, pdo, act);
+  }
+  /// The same from the value on that begins at this bit.
+  template <class Act>
+  void for_values_from(const MappedValue* value, unsigned start, const Pdo& pdo, Act act) const {
+    const MappedValue* const end = values_of(pdo) + places_.value.share;
+    for (; start < pdo.bits_ && value != end; ++value) {
       const unsigned bits = value->bits();
       if (bits == 0 || start + bits > pdo.bits_ || !act(*value, start)) return;
       start += bits;
@@ -276,7 +286,7 @@ class PdoService : protected NodeService {
     };
     if constexpr (Pdo::has_plans) {
       for_values(pdo, [&](const MappedValue& value, unsigned start) {
-        look_at(value.place().index, value.place().sub, start, value.bits());
+        look_at(value.entry().index, value.entry().sub, start, value.bits());
         return true;
       });
     } else {
@@ -290,10 +300,11 @@ class PdoService : protected NodeService {
   /// Data of a host about mapped values.
   struct Places {
     MappedValue* values = nullptr;
-    std::uint32_t revision = 0;  ///< Dictionary::revision() at the last renew()
-    std::uint16_t share = 0;     ///< limit of values for each PDO
-    bool are_found = false;      ///< for TPDOs: by PlacesOfValues
-    PdoSet chosen;               ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
+    const Pdo* watching = nullptr;  ///< for RPDOs: the TPDOs that MappedValue::watcher() counts
+    std::uint32_t revision = 0;     ///< Dictionary::revision() at the last renew()
+    std::uint16_t share = 0;        ///< limit of values for each PDO
+    bool are_found = false;         ///< for TPDOs: by PlacesOfValues
+    PdoSet chosen;                  ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
   };
 
   // Small members come first: a Cortex-M0+ reaches them with shorter instructions.
@@ -336,22 +347,14 @@ class PdoService : protected NodeService {
   /// Copies values of one size that fill the PDO. Its bytes are loaded once: single loads, each
   /// after a store, take twice the time.
   template <class Unit, std::size_t... i>
-  static void scatter(std::uint8_t* block, const MappedValue* values, const PdoImage& image,
-                      std::index_sequence<i...>) {
+  static void scatter(const MappedValue* values, const PdoImage& image, std::index_sequence<i...>) {
     const auto bytes = canvoy::load<std::uint64_t>(image.data());
-    (store(block + values[i].offset(), static_cast<Unit>(bytes >> (i * sizeof(Unit) * 8))), ...);
+    (store(values[i].value(), static_cast<Unit>(bytes >> (i * sizeof(Unit) * 8))), ...);
   }
   template <class Unit>
-  static void scatter(std::uint8_t* block, const MappedValue* values, const PdoImage& image) {
-    scatter<Unit>(block, values, image, std::make_index_sequence<pdo_bytes_max / sizeof(Unit)>());
+  static void scatter(const MappedValue* values, const PdoImage& image) {
+    scatter<Unit>(values, image, std::make_index_sequence<pdo_bytes_max / sizeof(Unit)>());
   }
-  std::uint32_t check_values(const Pdo& pdo, const PdoImage& image) const;
-  void write_values(const Pdo& pdo, const PdoImage& image);
-  void announce_values(const Pdo& pdo) const;
-  void note_changes(const Pdo& pdo, const PdoImage& image);
-  static bool are_within_limits(const Pdo& pdo, const PdoImage& image);
-  std::uint32_t ask_for_values(const Pdo& pdo, const PdoImage& image) const;
-  void write_one_by_one(const Pdo& pdo, const PdoImage& image);
   void pack_values(const Pdo& pdo, PdoImage& image, bool asks);
   void pack_any(const Pdo& pdo, PdoImage& image, bool asks);
   void look_again(Pdo& pdo);
@@ -359,7 +362,8 @@ class PdoService : protected NodeService {
   void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits);
   bool is_there(std::uint32_t mapped, Entry& entry) const;
   void resolve(Pdo& pdo);
-  unsigned resolve(MappedValue& value) const;
+  unsigned resolve(MappedValue& value);
+  unsigned find_watcher(const EntryWatchers& watchers);
   std::uint8_t plan_copies(const Pdo& pdo) const;
 
   Timer timer_;

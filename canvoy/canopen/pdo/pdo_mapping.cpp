@@ -33,9 +33,9 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
 
 /// Gathers values of one size, which fill the PDO.
 template <class Unit>
-void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* block) {
+void gather(std::uint8_t* image, const MappedValue* values) {
   for (unsigned i = 0; i < pdo_bytes_max / sizeof(Unit); ++i) {
-    store(image + i * sizeof(Unit), load<Unit>(block + values[i].offset()));
+    store(image + i * sizeof(Unit), load<Unit>(values[i].value()));
   }
 }
 
@@ -55,39 +55,6 @@ void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* 
                               std::uint8_t* value) {
   check_invariant(bits != 0 && position + bits <= pdo_bits_max);
   copy_bits(value, 0, data, position, bits);
-}
-
-// Hosts work with numbers.
-
-/// Mask of 1 to 64 bits.
-constexpr std::uint64_t mask_of(unsigned bits) {
-  return ~std::uint64_t{0} >> (64 - bits);
-}
-[[maybe_unused]] inline std::uint64_t number_in(const PdoImage& image, unsigned position,
-                                                unsigned bits) {
-  check_invariant(bits != 0 && position + bits <= pdo_bits_max);
-  return load<std::uint64_t>(image.data()) >> position & mask_of(bits);
-}
-
-/// A value in the form of the dictionary.
-struct ValueBytes {
-  explicit ValueBytes(std::uint64_t number, unsigned bits) : size((bits + 7) / 8) {
-    store(bytes.data(), number);
-  }
-  std::span<const std::uint8_t> span() const { return {bytes.data(), size}; }
-  std::uint64_t number() const { return load<std::uint64_t>(bytes.data()); }
-
-  std::array<std::uint8_t, sizeof(std::uint64_t)> bytes;
-  unsigned size;
-};
-
-/// True if the lower bits of a number are not those of a value in the dictionary.
-[[maybe_unused]] inline bool differs(const std::uint8_t* value, unsigned bits,
-                                     std::uint64_t number) {
-  if (bits == 32) return load<std::uint32_t>(value) != static_cast<std::uint32_t>(number);
-  if (bits == 16) return load<std::uint16_t>(value) != static_cast<std::uint16_t>(number);
-  if (bits == 8) return *value != static_cast<std::uint8_t>(number);
-  return load_unsigned({value, (bits + 7) / 8}) != (number & mask_of(bits));
 }
 
 /// Inserts 0 to 64 bits of a value where a PDO is zero. A Boolean is true unless its byte is 0.
@@ -167,6 +134,8 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
 
 /// Discards properties that depend on the values; they are determined with the next frame.
 inline void PdoService::forget_plan(Pdo& pdo) {
+  // A mapping without entries is counted as well: announce_values() sees a change by the number.
+  node_.count_mapping_read();
   pdo.plan_ = Pdo::mixed;
   pdo.deeds_.value = MappedValue::apart;
   pdo.quick_ = false;
@@ -174,15 +143,13 @@ inline void PdoService::forget_plan(Pdo& pdo) {
 }
 
 inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) {
-  EntryPlace place;
-  unsigned deeds = MappedValue::skip;
-  if (entry.row != nullptr) {
-    place = node_.dictionary().place_of(entry);
-    deeds = entry.row->is_text() ? MappedValue::set_text : MappedValue::nothing_more;
-  }
   MappedValue& value = values_of(pdo)[position];
-  if (value.set(place, bits)) places_.value.are_found = false;
-  value.resolve(deeds);
+  const bool is_dummy = entry.row == nullptr;
+  const bool is_other =
+      value.set(is_dummy ? Entry{.value = node_.dictionary().values()} : entry, bits);
+  if (is_other) places_.value.are_found = false;
+  if (is_dummy) return value.resolve(MappedValue::skip);
+  value.resolve(entry.row->is_text() ? MappedValue::set_text : MappedValue::nothing_more);
 }
 
 /// Determines the operations on each of its values, and on all of them.
@@ -202,12 +169,12 @@ void PdoService::resolve(Pdo& pdo) {
 }
 
 /// Determines the operations on a value with a place.
-inline unsigned PdoService::resolve(MappedValue& value) const {
+inline unsigned PdoService::resolve(MappedValue& value) {
   constexpr unsigned accesses = ServiceEvent::all_accesses;
   unsigned deeds = value.deeds() & (MappedValue::skip | MappedValue::set_text);
   if ((deeds & MappedValue::skip) != 0) return deeds;
   Dictionary& dictionary = node_.dictionary();
-  const Entry entry = dictionary.entry_at(value.place());
+  const Entry& entry = value.entry();
   const EntryHooks hooks = entry.is_hooked(accesses) ? dictionary.find_hooks(entry) : EntryHooks{};
   if (!is_receive()) {
     if (hooks.reads) deeds |= MappedValue::refresh;
@@ -216,10 +183,9 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
   }
   const EntryShape& row = *entry.row;
   // A value with as many bits as its type has no unused bits to check.
-  const std::int64_t* limits = nullptr;
   if (canvoy::has(row.traits, EntryTraits::limited)) {
     deeds |= MappedValue::limit;
-    limits = dictionary.tables().numbers.data() + row.limits;
+    const std::int64_t* const limits = dictionary.tables().numbers.data() + row.limits;
     const bool is_range =
         canvoy::has(row.traits, EntryTraits::has_sign)
             ? limits[0] <= limits[1]
@@ -230,9 +196,20 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
   if (hooks.ask != nullptr) deeds |= MappedValue::ask;
   if (hooks.notify != nullptr) deeds |= MappedValue::notify;
   // A string is set by the dictionary, which sees a change by itself.
-  if (!row.is_text() && dictionary.is_watched(entry)) deeds |= MappedValue::watch;
-  value.resolve(deeds, limits, hooks);
+  const EntryWatchers watchers = row.is_text() ? EntryWatchers{} : dictionary.find_watchers(entry);
+  if (watchers.are_there) deeds |= MappedValue::watch;
+  value.resolve(deeds, hooks, find_watcher(watchers));
   return deeds;
+}
+
+/// The position from 1 of a PDO that alone is concerned, among those of its service; 0 if there is
+/// none, or another service has one already.
+inline unsigned PdoService::find_watcher(const EntryWatchers& watchers) {
+  if (watchers.only == nullptr) return 0;
+  const Pdo& only = *static_cast<const Pdo*>(watchers.only);
+  const Pdo* const first = only.owner_.value->pdos_;
+  if (places_.value.watching == nullptr) places_.value.watching = first;
+  return places_.value.watching == first ? static_cast<unsigned>(&only - first) + 1 : 0;
 }
 
 /// One copy of all, or full frames of values of one size.
@@ -240,13 +217,13 @@ std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
   if (pdo.bits_ % 8 != 0 || pdo.bits_ == 0) return Pdo::mixed;
   const MappedValue* values = values_of(pdo);
   const unsigned size = values[0].bits();
-  unsigned end = values[0].offset();
+  const std::uint8_t* end = values[0].value();
   bool is_adjacent = true;
   bool is_uniform = pdo.bits_ == pdo_bits_max;
   for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
     const unsigned bits = values[i].bits();
     check_invariant(bits != 0 && position + bits <= pdo.bits_);
-    is_adjacent = is_adjacent && values[i].offset() == end && bits % 8 == 0;
+    is_adjacent = is_adjacent && values[i].value() == end && bits % 8 == 0;
     is_uniform = is_uniform && bits == size;
     end += bits / 8;
     position += bits;
@@ -288,17 +265,16 @@ void PdoService::look_again(Pdo& pdo) {
 void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
   image = {};
   if constexpr (Pdo::has_plans) {
-    const std::uint8_t* block = node_.dictionary().values();
     const MappedValue* values = values_of(pdo);
     switch (pdo.plan_) {
       case Pdo::adjacent:
-        return copy_bytes(image.data(), block + values->offset(), pdo.length_);
+        return copy_bytes(image.data(), values->value(), pdo.length_);
       case Pdo::bytes:
-        return gather<std::uint8_t>(image.data(), values, block);
+        return gather<std::uint8_t>(image.data(), values);
       case Pdo::words:
-        return gather<std::uint16_t>(image.data(), values, block);
+        return gather<std::uint16_t>(image.data(), values);
       case Pdo::longs:
-        return gather<std::uint32_t>(image.data(), values, block);
+        return gather<std::uint32_t>(image.data(), values);
       default:
         break;
     }
@@ -318,164 +294,16 @@ void PdoService::pack_values(const Pdo& pdo, PdoImage& image, bool asks) {
   for_values(pdo, [&](const MappedValue& value, unsigned start) {
     const unsigned bits = value.bits();
     if (!value.is(MappedValue::set_text | MappedValue::refresh)) {
-      insert(image.data(), start, bits, dictionary.values() + value.offset());
+      insert(image.data(), start, bits, value.value());
       return true;
     }
-    const Entry entry = dictionary.entry_at(value.place());
+    const Entry entry = value.entry();
     if (asks && value.is(MappedValue::refresh)) static_cast<void>(dictionary.open_read(entry));
     const std::span<const std::uint8_t> present = entry.bytes();
     insert(image.data(), start, std::min(bits, static_cast<unsigned>(present.size() * 8)),
            present.data());
     return true;
   });
-}
-
-namespace {
-
-/// True outside of its limits: in the arithmetic of its bits, which is independent of the sign. The
-/// lower bits of `number` count.
-[[gnu::always_inline]] inline bool is_outside(const MappedValue& value, std::uint64_t number) {
-  const std::int64_t* const limits = value.limits();
-  const auto low = static_cast<std::uint64_t>(limits[0]);
-  const std::uint64_t range = static_cast<std::uint64_t>(limits[1]) - low;
-  const unsigned unused = 64 - value.bits();
-  return (number - low) << unused > range << unused;
-}
-
-/// Reason of a refusal; the sentinel is allowed beside the limits.
-AbortCode check_number_of(const Dictionary& dictionary, const MappedValue& value,
-                          std::uint64_t number) {
-  if (!value.is(MappedValue::limit)) return AbortCode::none;
-  const DictionaryTables& tables = dictionary.tables();
-  const ValueBytes bytes(number, value.bits());
-  return check_number(tables, tables.entries[value.place().row], bytes.bytes.data());
-}
-
-std::uint32_t refused_at(const MappedValue& value) {
-  const EntryPlace place = value.place();
-  return static_cast<std::uint32_t>(place.index) << 16 | unsigned{place.sub} << 8;
-}
-
-}  // namespace
-
-/// A number outside may be a sentinel. Zeros follow the last bit of 64.
-[[gnu::always_inline]] inline bool PdoService::are_within_limits(const Pdo& pdo,
-                                                                 const PdoImage& image) {
-  const MappedValue* value = values_of(pdo);
-  auto rest = canvoy::load<std::uint64_t>(image.data());
-  for (unsigned left = pdo.bits_; left != 0; ++value) {
-    const unsigned bits = value->bits();
-    if (value->is(MappedValue::limit) && is_outside(*value, rest)) [[unlikely]]
-      return false;
-    left -= bits;
-    rest = rest >> (bits - 1) >> 1;
-  }
-  return true;
-}
-
-/// The first object that cannot take its value, or 0.
-[[gnu::noinline]] std::uint32_t PdoService::ask_for_values(const Pdo& pdo,
-                                                           const PdoImage& image) const {
-  const Dictionary& dictionary = node_.dictionary();
-  std::uint32_t refused = 0;
-  for_values(pdo, [&](const MappedValue& value, unsigned start) {
-    const ValueBytes bytes(number_in(image, start, value.bits()), value.bits());
-    const std::uint32_t object = refused_at(value);
-    AbortCode answer = check_number_of(dictionary, value, bytes.number());
-    if (answer == AbortCode::none && value.asks()) {
-      answer = value.ask_for(dictionary.entry_at(value.place()), bytes.span());
-    }
-    if (answer != AbortCode::none) refused = object;
-    return refused == 0;
-  });
-  return refused;
-}
-
-/// Before they are written.
-[[gnu::noinline]] void PdoService::note_changes(const Pdo& pdo, const PdoImage& image) {
-  Dictionary& dictionary = node_.dictionary();
-  const std::uint8_t* const block = dictionary.values();
-  auto rest = canvoy::load<std::uint64_t>(image.data());
-  const MappedValue* value = values_of(pdo);
-  for (unsigned left = pdo.bits_; left != 0; ++value) {
-    const unsigned bits = value->bits();
-    if (value->is(MappedValue::watch) && differs(block + value->offset(), bits, rest)) {
-      dictionary.note_change(value->place());
-    }
-    left -= bits;
-    rest = rest >> (bits - 1) >> 1;
-  }
-}
-
-[[gnu::noinline]] void PdoService::write_one_by_one(const Pdo& pdo, const PdoImage& image) {
-  Dictionary& dictionary = node_.dictionary();
-  const MappedValue* value = values_of(pdo);
-  auto rest = canvoy::load<std::uint64_t>(image.data());
-  for (unsigned left = pdo.bits_; left != 0; ++value) {
-    const unsigned bits = value->bits();
-    std::uint8_t* const place = dictionary.values() + value->offset();
-    // Special values first: they have 8, 16 and 32 bits as well.
-    // NOLINTNEXTLINE(bugprone-branch-clone)
-    if (value->is(MappedValue::set_text | MappedValue::skip)) [[unlikely]] {
-      const ValueBytes bytes(rest, bits);
-      if (value->is(MappedValue::set_text)) {
-        dictionary.set(dictionary.entry_at(value->place()), bytes.span());
-      }
-    } else if (bits == 32) {
-      store(place, static_cast<std::uint32_t>(rest));
-    } else if (bits == 16) {
-      store(place, static_cast<std::uint16_t>(rest));
-    } else if (bits == 8) {
-      *place = static_cast<std::uint8_t>(rest);
-    } else {
-      const ValueBytes bytes(rest & mask_of(bits), bits);
-      copy_bytes(place, bytes.bytes.data(), bytes.size);
-    }
-    left -= bits;
-    rest = rest >> (bits - 1) >> 1;
-  }
-}
-
-[[gnu::always_inline]] inline std::uint32_t PdoService::check_values(const Pdo& pdo,
-                                                                     const PdoImage& image) const {
-  const unsigned deeds = pdo.deeds_.value;
-  const bool is_doubtful = (deeds & MappedValue::ask) != 0 ||
-                           ((deeds & MappedValue::limit) != 0 && !are_within_limits(pdo, image));
-  return is_doubtful ? ask_for_values(pdo, image) : 0;
-}
-
-/// Without any callback.
-[[gnu::always_inline]] inline void PdoService::write_values(const Pdo& pdo, const PdoImage& image) {
-  const unsigned deeds = pdo.deeds_.value;
-  if ((deeds & MappedValue::watch) != 0) note_changes(pdo, image);
-  (deeds & MappedValue::apart) != 0 ? write_one_by_one(pdo, image) : copy(pdo, image);
-}
-
-[[gnu::noinline]] void PdoService::announce_values(const Pdo& pdo) const {
-  const Dictionary& dictionary = node_.dictionary();
-  for_values(pdo, [&](const MappedValue& value, unsigned) {
-    if (value.is(MappedValue::notify)) value.notify_of(dictionary.entry_at(value.place()));
-    return true;
-  });
-}
-
-std::uint32_t PdoService::take_values(const Pdo& pdo, const PdoImage& image) {
-  const std::uint32_t refused = check_values(pdo, image);
-  if (refused != 0) [[unlikely]]
-    return refused;
-  write_values(pdo, image);
-  if ((pdo.deeds_.value & MappedValue::notify) != 0) announce_values(pdo);
-  return 0;
-}
-
-std::uint32_t PdoService::carry_out(const Pdo& pdo, const PdoImage& image, Step step) {
-  if (step == Step::check) return check_values(pdo, image);
-  if (step == Step::write) {
-    write_values(pdo, image);
-  } else if ((pdo.deeds_.value & MappedValue::notify) != 0) {
-    announce_values(pdo);
-  }
-  return 0;
 }
 
 // A small machine reads the mapping record for each frame.

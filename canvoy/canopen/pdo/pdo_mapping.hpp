@@ -65,7 +65,8 @@ class PdoSet {
 /// machine needs none.
 class MappedValue {
  public:
-  static constexpr std::uint32_t offset_max = 0x1FF'FFFF;  ///< 32 MiB of values in a dictionary
+  /// Bytes of values in a dictionary, of which the last can be mapped: 32 MiB.
+  static constexpr std::uint32_t offset_max = 0x1FF'FFFF;
   static constexpr unsigned bytes_max = 16;  ///< for the greatest number of bits that fits
 
   /// Operations beside copying: bits.
@@ -82,68 +83,74 @@ class MappedValue {
     apart = 128,
   };
 
-  /// Sets place and length. False if both were the same before.
-  bool set(const EntryPlace& place, unsigned bits) {
-    const std::uint32_t wanted = place.offset | bits << bits_shift;
-    const bool is_same = std::exchange(offset_and_bits_, wanted) == wanted;
-    object_ = place.object;
-    row_ = place.row;
-    index_ = place.index;
-    sub_ = place.sub;
+  /// Sets entry and length. False if both were the same before. A dummy entry has no row, and its
+  /// value is any readable byte.
+  bool set(const Entry& entry, unsigned bits) {
+    const bool is_same = entry_.value == entry.value && bits_ == bits;
+    // Its last bytes, which are unused, have other members.
+    entry_.row = entry.row;
+    entry_.state = entry.state;
+    entry_.value = entry.value;
+    entry_.index = entry.index;
+    entry_.sub = entry.sub;
+    bits_ = static_cast<std::uint8_t>(bits);
     return !is_same;
   }
-  /// Place of the value in the dictionary.
-  EntryPlace place() const { return {offset(), object_, row_, index_, sub_}; }
-  /// Bytes from the start of the dictionary's values; 0 to offset_max.
-  std::uint32_t offset() const { return offset_and_bits_ & offset_max; }
+  /// The mapped entry.
+  const Entry& entry() const { return entry_; }
+  /// Its value in the dictionary.
+  std::uint8_t* value() const { return entry_.value; }
   /// Mapped length in bits; 0: nothing is mapped here.
-  unsigned bits() const { return offset_and_bits_ >> bits_shift; }
+  unsigned bits() const { return bits_; }
   /// All deeds, as bits.
   unsigned deeds() const { return deeds_; }
   /// True if one of these deeds is needed.
   bool is(unsigned deeds) const { return (deeds_ & deeds) != 0; }
-  /// Lowest and highest value, if it has a range.
-  const std::int64_t* limits() const { return limits_; }
 
   /// Sets the deeds: bits of Deed.
   void resolve(unsigned deeds) { deeds_ = static_cast<std::uint8_t>(deeds); }
-  /// For an RPDO: sets also range, and whom to ask and to notify.
-  void resolve(unsigned deeds, const std::int64_t* limits, const EntryHooks& hooks) {
+  /// For an RPDO: sets also whom to ask and to notify, and the position from 1 of the only PDO of
+  /// its WatchingPdos that a change concerns, or 0.
+  void resolve(unsigned deeds, const EntryHooks& hooks, unsigned watcher) {
     resolve(deeds);
-    limits_ = limits;
     context_ = hooks.context;
     ask_ = hooks.ask;
     notify_ = hooks.notify;
+    next_or_watcher_ = static_cast<std::uint16_t>(watcher);
   }
   /// For an RPDO: a service may refuse the value.
   bool asks() const { return ask_ != nullptr; }
   /// First refusal of the services. Only if asks().
-  AbortCode ask_for(const Entry& entry, std::span<const std::uint8_t> value) const {
+  AbortCode ask_for(std::span<const std::uint8_t> value) const {
+    const Entry entry = entry_;
     return ask_(context_, entry, value);
   }
-  /// Notifies the services of the write. Only for the deed `notify`.
-  void notify_of(const Entry& entry) const { notify_(context_, entry, Source::pdo); }
+  /// Notifies the services of the write. Only for the deed `notify`. They may set another mapping,
+  /// which changes this object; their entry stays.
+  void notify_of_write() const {
+    const Entry entry = entry_;
+    notify_(context_, entry, Source::pdo);
+  }
+  /// For an RPDO: see resolve().
+  unsigned watcher() const { return next_or_watcher_; }
 
  private:
   friend class PlacesOfValues;
-  static constexpr unsigned bits_shift = 25;
 
+  [[no_unique_address]] Entry entry_;
+  std::uint8_t deeds_ = 0;
+  std::uint8_t bits_ = 0;
+  /// For a TPDO, which is in PlacesOfValues, position from 1 of the next value with the same hash.
+  std::uint16_t next_or_watcher_ = 0;
   // For an RPDO, see EntryHooks.
   void* context_ = nullptr;  ///< for a TPDO, the PDO
   decltype(EntryHooks::notify) notify_ = nullptr;
-  decltype(EntryHooks::ask) ask_ = nullptr;
-  const std::int64_t* limits_ = nullptr;
-  std::uint32_t offset_and_bits_ = 0;
-  std::uint16_t object_ = 0;
-  std::uint16_t row_ = 0;
-  std::uint16_t index_ = 0;
-  std::uint8_t sub_ = 0;
-  std::uint8_t deeds_ = 0;
-  // For a TPDO, which is in PlacesOfValues.
-  std::uint16_t next_ = 0;    ///< position from 1 of the next value with the same hash
-  std::uint16_t bucket_ = 0;  ///< first value with the hash equal to this position; or 0
+  union {
+    decltype(EntryHooks::ask) ask_ = nullptr;
+    std::uintptr_t bucket_;  ///< for a TPDO, the first value with the hash equal to this position
+  };
 };
-static_assert(sizeof(void*) != 8 || sizeof(MappedValue) == 48,
+static_assert(is_small_machine || sizeof(void*) != 8 || sizeof(MappedValue) == 56,
               "some devices have thousands of mapped values");
 
 /// Finds mapped values by their places: a hash table in their own memory.
@@ -151,8 +158,10 @@ class PlacesOfValues {
  public:
   static constexpr unsigned nothing = UINT32_MAX;  ///< no position
 
-  /// Makes an empty table; `count` is at most 65,534.
-  PlacesOfValues(MappedValue* values, unsigned count) : values_(values), count_(count) {}
+  /// Makes an empty table for values of a dictionary, which begin at `block`; `count` is at most
+  /// 65,534.
+  PlacesOfValues(MappedValue* values, unsigned count, const std::uint8_t* block)
+      : values_(values), block_(block), count_(count) {}
 
   /// Removes all values. Linear in their number.
   void clear() {
@@ -161,23 +170,27 @@ class PlacesOfValues {
   /// Adds a value that is not in the table, of the TPDO `owner`.
   void add(unsigned position, void* owner) {
     values_[position].context_ = owner;
-    std::uint16_t& bucket = values_[hash(values_[position].offset())].bucket_;
-    values_[position].next_ = bucket;
-    bucket = static_cast<std::uint16_t>(position + 1);
+    const auto offset = static_cast<std::uint32_t>(values_[position].value() - block_);
+    std::uintptr_t& bucket = values_[hash(offset)].bucket_;
+    values_[position].next_or_watcher_ = static_cast<std::uint16_t>(bucket);
+    bucket = position + 1;
   }
-  /// Positions of the values at `place`, one after the other; nothing after the last one.
-  unsigned first(std::uint32_t place) const { return seek(values_[hash(place)].bucket_, place); }
+  /// Positions of the values at `place`, in bytes from the start of all, one after the other;
+  /// nothing after the last one.
+  unsigned first(std::uint32_t place) const {
+    return seek(static_cast<unsigned>(values_[hash(place)].bucket_), block_ + place);
+  }
   /// The TPDO of add().
   void* owner(unsigned position) const { return values_[position].context_; }
   /// Position of the next value at the place of the one at `position`.
   unsigned next(unsigned position) const {
-    return seek(values_[position].next_, values_[position].offset());
+    return seek(values_[position].next_or_watcher_, values_[position].value());
   }
 
  private:
-  unsigned seek(unsigned candidate, std::uint32_t offset) const {
-    while (candidate != 0 && values_[candidate - 1].offset() != offset) {
-      candidate = values_[candidate - 1].next_;
+  unsigned seek(unsigned candidate, const std::uint8_t* place) const {
+    while (candidate != 0 && values_[candidate - 1].value() != place) {
+      candidate = values_[candidate - 1].next_or_watcher_;
     }
     return candidate == 0 ? nothing : candidate - 1;
   }
@@ -187,6 +200,7 @@ class PlacesOfValues {
   }
 
   MappedValue* values_;
+  const std::uint8_t* block_;
   unsigned count_;
 };
 

@@ -87,13 +87,6 @@ void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
   if (self.received) self.received(self.number_of(pdo));
 }
 
-/// For hosts: values with something to do beside copying.
-[[gnu::noinline]] void Rpdos::take_at_once(Rpdo& pdo, const PdoImage& image) {
-  if (const std::uint32_t object = take_values(pdo, image); object != 0) [[unlikely]] {
-    return refuse(pdo, object);
-  }
-  if (received) received(number_of(pdo));
-}
 [[gnu::noinline]] void Rpdos::refuse(Rpdo& pdo, std::uint32_t object) {
   raise(pdo, refused, object);
 }

@@ -89,7 +89,14 @@ class Rpdos : public PdoService {
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo);
   void take(Rpdo& pdo, PdoImage image);
+  // For hosts: values with something to do beside copying.
   void take_at_once(Rpdo& pdo, const PdoImage& image);
+  void check_and_take(Rpdo& pdo, const PdoImage& image);
+  void ask_and_take(Rpdo& pdo, const PdoImage& image);
+  void take_checked(const Rpdo& pdo, const PdoImage& image);
+  void take_apart(const Rpdo& pdo, const PdoImage& image);
+  void finish_taken(const Rpdo& pdo, unsigned deeds);
+  void announce_taken(const Rpdo& pdo);
   void refuse(Rpdo& pdo, std::uint32_t object);
   /// Raises a fault. `object` has index and sub-index in its upper three bytes, like a mapping
   /// entry.

@@ -124,7 +124,8 @@ bool Tpdos::values_changed(const ServiceEvent& event) {
   if (!operational_) return true;
   const ChangedPlaces& changed = event.places();
   if (changed.are_too_many() || mpdos_ != nullptr || places_.value.share == 0) return false;
-  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_,
+                              node_.dictionary().values());
   if (!places_.value.are_found) find_values(values);
   if (changed.count == 1) [[likely]] {
     const unsigned value = values.first(changed.places[0]);
@@ -161,9 +162,13 @@ void Tpdos::find_watcher(ServiceEvent& event) {
   if constexpr (is_small_machine) return;
   if (mpdos_ != nullptr) return event.want();
   if (places_.value.share == 0) return;
-  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_,
+                              node_.dictionary().values());
   if (!places_.value.are_found) find_values(values);
-  if (values.first(event.number) != PlacesOfValues::nothing) event.want();
+  const unsigned value = values.first(event.number);
+  if (value == PlacesOfValues::nothing) return;
+  event.want();
+  if (values.next(value) == PlacesOfValues::nothing) event.subject = values.owner(value);
 }
 
 void Tpdos::find_values(PlacesOfValues values) {
@@ -241,10 +246,11 @@ inline void Tpdos::value_set(Tpdo& pdo, const Entry& entry, bool is_event) {
 bool Tpdos::value_set(const ServiceEvent& event) {
   if (is_small_machine || places_.value.share == 0) return false;
   if (!operational_) return true;
-  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_,
+                              node_.dictionary().values());
   if (!places_.value.are_found) find_values(values);
   const Entry& entry = event.entry();
-  unsigned value = values.first(node_.dictionary().place_of(entry).offset);
+  unsigned value = values.first(node_.dictionary().offset_of(entry));
   for (; value != PlacesOfValues::nothing; value = values.next(value)) {
     Tpdo& pdo = *static_cast<Tpdo*>(values.owner(value));
     // One that maps it twice is told twice, and then nothing is left to be done.
@@ -359,7 +365,7 @@ void Tpdos::watch(std::uint32_t watchers) {
       continue;
     }
     for_values(pdo, [&](const MappedValue& value, unsigned) {
-      dictionary.watch(dictionary.entry_at(value.place()), watcher);
+      dictionary.watch(value.entry(), watcher);
       return true;
     });
   }

@@ -99,6 +99,15 @@ class SdoEntry {
     offset_ += static_cast<std::uint32_t>(sdo::segment_max);
     return room;
   }
+  /// For hosts: true if a full segment, which is not the last one, goes to the domain at once.
+  bool passes_segments_on() const {
+    return is_streamed() && window_.value.end == 0 && size_ - offset_ >= sdo::segment_max;
+  }
+  /// Writes such a segment.
+  AbortCode pass_on(std::span<const std::uint8_t> bytes) {
+    offset_ += static_cast<std::uint32_t>(bytes.size());
+    return domain_->write(found_, bytes);
+  }
   /// For hosts: from here on, what is written to a streamed domain is gathered in the buffer. False
   /// for another entry.
   bool gather() {

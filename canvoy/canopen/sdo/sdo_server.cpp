@@ -5,6 +5,14 @@
 #include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/protocol/little_endian.hpp"
 
+// On a host each request has a function of its own, so that choosing it needs no place on the
+// stack. A small machine has all of them in one.
+#ifdef CANVOY_SMALL_MACHINE
+#define CANVOY_HANDLER inline
+#else
+#define CANVOY_HANDLER [[gnu::noinline]]
+#endif
+
 namespace canvoy {
 
 namespace {
@@ -91,7 +99,7 @@ void SdoServer::serve(const Frame& frame) {
 }
 
 /// For hosts what nearly always is the case is in its place.
-inline bool SdoServer::goes_on(AbortCode answer) {
+[[gnu::always_inline]] inline bool SdoServer::goes_on(AbortCode answer) {
   if (!is_small_machine && state_ == State::opening && answer == AbortCode::none) [[likely]] {
     return true;
   }
@@ -99,11 +107,20 @@ inline bool SdoServer::goes_on(AbortCode answer) {
 }
 
 /// A request that begins a transfer, and ends another one.
-bool SdoServer::find(sdo::Message request) {
+[[gnu::always_inline]] inline bool SdoServer::find_here(sdo::Message request) {
   if (is_small_machine || busy()) drop();
   multiplexer_ = request.multiplexer();
   state_ = State::opening;
   return goes_on(entry_.find(multiplexer_));
+}
+
+bool SdoServer::find(sdo::Message request) {
+  return find_here(request);
+}
+
+/// A small machine has it once.
+[[gnu::always_inline]] inline bool SdoServer::begin_with(sdo::Message request) {
+  return is_small_machine ? find(request) : find_here(request);
 }
 
 /// True if the transfer continues. The application may have ended it during its callback.
@@ -113,8 +130,8 @@ bool SdoServer::opened(AbortCode answer) {
   return false;
 }
 
-inline void SdoServer::initiate_upload(sdo::Message request) {
-  if (find(request) && goes_on(entry_.open_read())) begin_upload();
+CANVOY_HANDLER void SdoServer::initiate_upload(sdo::Message request) {
+  if (begin_with(request) && goes_on(entry_.open_read())) begin_upload();
 }
 
 void SdoServer::begin_upload() {
@@ -132,7 +149,7 @@ void SdoServer::begin_upload() {
                      size.value_or(0)));
 }
 
-inline void SdoServer::upload_segment(sdo::Message request) {
+CANVOY_HANDLER void SdoServer::upload_segment(sdo::Message request) {
   if (state_ != State::upload) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
   if constexpr (sdo::has_short_way) {
@@ -172,22 +189,17 @@ void SdoServer::send_segment() {
   reply(sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes));
 }
 
-inline void SdoServer::initiate_download(sdo::Message request) {
+CANVOY_HANDLER void SdoServer::initiate_download(sdo::Message request) {
   constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
-  if (!find(request)) return;
+  if (!begin_with(request)) return;
+  if (sdo::has_short_way && request.is_expedited() && entry_.row().type != DataType::domain) {
+    return write_at_once(request);
+  }
   const std::optional<std::uint32_t> size = size_to_come(request);
   std::array<std::uint8_t, sdo::expedited_max> data;
   store(data.data(), request.value());
   const auto bytes = std::span<const std::uint8_t>(data).first(
       request.is_expedited() ? size.value_or(sdo::expedited_max) : 0);
-  const bool is_domain = entry_.row().type == DataType::domain;
-  if (sdo::has_short_way && request.is_expedited() && !is_domain) {
-    state_ = State::idle;
-    const AbortCode answer = entry_.write_whole(bytes);
-    if (answer != AbortCode::none) [[unlikely]]
-      return confirm(answer, confirmation);
-    return send(sdo::Message(confirmation, multiplexer_));
-  }
   if (!opened(entry_.open_write(size))) return;
   if (request.is_expedited()) {
     state_ = State::download;
@@ -195,6 +207,21 @@ inline void SdoServer::initiate_download(sdo::Message request) {
   }
   begin(State::download);
   reply(sdo::Message(confirmation, multiplexer_));
+}
+
+/// For hosts: a value that is no domain, all of it in the request.
+[[gnu::always_inline]] inline void SdoServer::write_at_once(sdo::Message request) {
+  constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
+  std::array<std::uint8_t, sdo::expedited_max> data;
+  store(data.data(), request.value());
+  const std::size_t size = request.has_size()
+                               ? request.expedited_size()
+                               : std::min<std::size_t>(sdo::expedited_max, entry_.row().capacity);
+  state_ = State::idle;
+  const AbortCode answer = entry_.write_whole(std::span<const std::uint8_t>(data).first(size));
+  if (answer != AbortCode::none) [[unlikely]]
+    return confirm(answer, confirmation);
+  send(sdo::Message(confirmation, multiplexer_));
 }
 
 /// Number of bytes that the client writes. Without a size it is determined by the entry, and is
@@ -209,7 +236,7 @@ inline std::optional<std::uint32_t> SdoServer::size_to_come(sdo::Message request
   return request.has_size() ? std::optional(request.value()) : std::nullopt;
 }
 
-inline void SdoServer::download_segment(sdo::Message request) {
+CANVOY_HANDLER void SdoServer::download_segment(sdo::Message request) {
   if (state_ != State::download) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
   if constexpr (sdo::has_short_way) {
@@ -220,8 +247,20 @@ inline void SdoServer::download_segment(sdo::Message request) {
       expect_next_segment();
       return reply(message);
     }
+    if (full && entry_.passes_segments_on()) return pass_segment_on(request);
   }
   take_segment(request);
+}
+
+/// For hosts: a full segment that is not the last one, to the domain.
+void SdoServer::pass_segment_on(sdo::Message request) {
+  const auto data = request.bytes();
+  const AbortCode answer = entry_.pass_on(std::span(data).subspan<1>());
+  if (state_ != State::download) return;  // the domain has stopped the node
+  if (answer != AbortCode::none) return abort(answer);
+  const sdo::Message message(sdo::command(sdo::Response::download_segment, toggle_));
+  expect_next_segment();
+  send(message);
 }
 
 void SdoServer::take_segment(sdo::Message request) {
@@ -310,3 +349,5 @@ void SdoServer::send(sdo::Message message) {
 }
 
 }  // namespace canvoy
+
+#undef CANVOY_HANDLER

@@ -90,6 +90,8 @@ class SdoServer : private NodeService {
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
   bool find(sdo::Message request);
+  bool begin_with(sdo::Message request);
+  bool find_here(sdo::Message request);
   bool opened(AbortCode answer);
   bool goes_on(AbortCode answer);
   void initiate_upload(sdo::Message request);
@@ -101,6 +103,8 @@ class SdoServer : private NodeService {
   std::optional<std::uint32_t> size_to_come(sdo::Message request) const;
   void download_segment(sdo::Message request);
   [[gnu::noinline]] void take_segment(sdo::Message request);
+  [[gnu::noinline]] void pass_segment_on(sdo::Message request);
+  void write_at_once(sdo::Message request);
   void write(std::span<const std::uint8_t> bytes, bool last, std::uint8_t confirmation);
   void refuse_service(sdo::Message request);
 

@@ -53,8 +53,8 @@ struct ServiceEvent {
     /// routes in the Router on a host.
     frame_came,
     /// Question whether a TPDO maps the value `number` bytes from the start of all; a service that
-    /// maps it sets `answer`. On hosts only, for services with the event in their mask; it thus
-    /// shares the number of frame_came.
+    /// maps it sets `answer`, and `subject` to the Pdo, if it is only one. On hosts only, for
+    /// services with the event in their mask; it thus shares the number of frame_came.
     watch_asked = frame_came,
     // Accesses from the bus to an object of the service's range.
     before_read,   ///< it may refresh the value, or refuse
@@ -235,6 +235,13 @@ struct EntryHooks {
   /// Called after a write, with the service that wrote; null: none is notified.
   void (*notify)(void*, const Entry&, Source) = nullptr;
   bool reads = false;  ///< a service may refresh the entry before it is read
+};
+
+/// TPDOs that map an entry: see Dictionary::find_watchers().
+struct EntryWatchers {
+  bool are_there = false;  ///< one or more
+  /// The Pdo, if it is only one, and no other service is notified of changed values; or null.
+  const void* only = nullptr;
 };
 
 /// Connects such a table to the service that owns the binding.
