@@ -235,7 +235,7 @@ class PdoService : protected NodeService {
   }
   /// Like go_through(), but for hosts, with the resolved mapping.
   std::uint32_t carry_out(const Pdo& pdo, const PdoImage& image, Step step);
-  // Its steps, of which only ask_for_values() and announce_values() call anybody.
+  // Its steps, of which only ask_for_values() and announce_values() call services.
   static bool are_within_limits(const Pdo& pdo, const std::int64_t* numbers, std::uint64_t image);
   bool are_doubtful(const Pdo& pdo, std::uint64_t image) const;
   std::uint32_t ask_for_values(const Pdo& pdo, const PdoImage& image) const;

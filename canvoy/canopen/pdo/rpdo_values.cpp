@@ -9,14 +9,12 @@ namespace canvoy {
 
 namespace {
 
-constexpr unsigned pdo_bits_max = pdo_bytes_max * 8;
-
 /// Mask of 1 to 64 bits.
 constexpr std::uint64_t mask_of(unsigned bits) {
   return ~std::uint64_t{0} >> (64 - bits);
 }
 inline std::uint64_t number_in(const PdoImage& image, unsigned position, unsigned bits) {
-  check_invariant(bits != 0 && position + bits <= pdo_bits_max);
+  check_invariant(bits != 0 && position + bits <= 8 * image.size());
   return load<std::uint64_t>(image.data()) >> position & mask_of(bits);
 }
 
