@@ -147,8 +147,9 @@ bool Socketcand::finish_connecting() {
 }
 
 void Socketcand::receive() {
-  std::array<char, 4096> bytes;
-  const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
+  constexpr std::size_t bytes_max = 4096;
+  std::array<char, bytes_max> bytes;
+  const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes_max, 0);
   if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
   if (size <= 0) return lost(size == 0 ? "the server has closed the connection" : strerror(errno));
   messages_.add({bytes.data(), static_cast<std::size_t>(size)});
