@@ -85,7 +85,7 @@ class TcpServer::Connection {
 
   void receive() {
     std::array<char, chunk> bytes;
-    const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
+    const ssize_t size = ::recv(socket_.get(), bytes.data(), chunk, 0);
     if (size > 0) {
       take({bytes.data(), static_cast<std::size_t>(size)});
     } else if (size == 0) {
