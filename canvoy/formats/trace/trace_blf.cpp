@@ -62,7 +62,7 @@ class BlfParser final : public TraceParser {
 
   TraceStep read_file_header(std::string_view bytes, bool last);
   TraceStep read_outer(std::string_view bytes, bool last, TraceFrame& frame);
-  TraceStep read_container(std::string_view bytes);
+  TraceStep read_container(std::string_view bytes, bool last);
   bool read_inner(TraceFrame& frame, TraceStep& step);
   void drop(std::size_t count);
   TraceStep read_object(std::string_view object, TraceFrame& frame);
@@ -94,7 +94,7 @@ TraceStep BlfParser::step(std::string_view bytes, bool last, TraceFrame& frame) 
   if (in_ == In::file_header) return read_file_header(bytes, last);
   TraceStep step;
   if (read_inner(frame, step)) return step;
-  return in_ == In::container ? read_container(bytes) : read_outer(bytes, last, frame);
+  return in_ == In::container ? read_container(bytes, last) : read_outer(bytes, last, frame);
 }
 
 TraceStep BlfParser::read_file_header(std::string_view bytes, bool last) {
@@ -139,12 +139,15 @@ TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& f
 
 // Reads a piece of the container, as much as fits. Its bytes are taken from the file after their
 // content was read, since nothing is requested after the last byte of a file.
-TraceStep BlfParser::read_container(std::string_view bytes) {
+TraceStep BlfParser::read_container(std::string_view bytes, bool last) {
+  const bool is_cut = last && left_ > bytes.size();
   bytes = bytes.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(left_, bytes.size())));
   if (owed_ > 0 && !has_more_) {
     const std::size_t taken = std::exchange(owed_, 0);
     left_ -= taken;
     if (left_ == 0) in_ = In::file;
+    if (is_cut && taken == bytes.size())
+      return {TraceItem::bad, taken, "the file ends within a container"};
     return {TraceItem::remainder, taken, {}};
   }
   if (is_damaged_ || !is_compressed_) {

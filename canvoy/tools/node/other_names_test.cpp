@@ -66,6 +66,7 @@ TEST(OtherNames, CandumpWithAFileRecords) {
 TEST(OtherNames, UnknownOptionsOfAProgramAreLeftToTheVerb) {
   expect_line("candump -Z can0", "monitor can0 -Z");
   expect_line("candump can0 --json", "monitor can0 --json");
+  expect_line("canbusload can0@125000 --for 1s", "load can0 --for 1s --bit-rate 125");
   expect_line("candump can0 -n", "monitor can0");
 }
 

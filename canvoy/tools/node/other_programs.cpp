@@ -107,11 +107,10 @@ class ProgramLine {
 
  private:
   void take(const std::string& word) {
-    const bool is_joined = word.size() > 1 && word.front() == '-' && word[1] != '-';
-    if (!is_joined) {
-      (word.starts_with("--") ? said_ : places_).push_back(word);
-      return;
-    }
+    // An option of ours: the rest is of the verb.
+    is_of_verb_ = is_of_verb_ || word.starts_with("--");
+    const bool is_joined = word.size() > 1 && word.front() == '-';
+    if (is_of_verb_ || !is_joined) return (is_of_verb_ ? said_ : places_).push_back(word);
     for (std::size_t i = 1; i < word.size(); ++i) {
       const auto option = std::ranges::find(program_.options, word[i], &ProgramOption::letter);
       if (option == program_.options.end()) {
@@ -148,6 +147,7 @@ class ProgramLine {
   Words places_;
   Words said_;
   std::string letters_;
+  bool is_of_verb_ = false;
 };
 
 /// `candump -l` names the file by the time.

@@ -211,6 +211,7 @@ int show_log_table(const MonitorOptions& options) {
   formats::TraceFrame heard;
   Duration last{};
   for (auto read = trace.next(heard); read != formats::TraceRead::end; read = trace.next(heard)) {
+    if (read == formats::TraceRead::bad) show_bad(options.source, trace);
     if (read != formats::TraceRead::frame) continue;
     last = std::max(last, heard.time.time_since_epoch());
     const text::FrameWords* words =
