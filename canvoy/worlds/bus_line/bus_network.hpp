@@ -96,6 +96,7 @@ class BusNetwork {
  private:
   /// Listens to the messages on the cable of a car behind the first.
   struct FollowingMessages {
+    explicit FollowingMessages(BusNetwork& its_network) : network(its_network) {}
     BusNetwork& network;
     MessageReferee referee{};
 

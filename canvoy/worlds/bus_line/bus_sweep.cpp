@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, sweep_places> place_names = {"terminal", 
 /// Faults begin when the bus has left its first stop, and leave time to come back.
 constexpr Time first_begin{Duration(6min)};
 constexpr Time last_begin{Duration(26min)};
-constexpr Duration times[] = {1s, 10s, 1min, 5min, 10min};
+constexpr Duration fault_times[] = {1s, 10s, 1min, 5min, 10min};
 
 BusNetworkOptions swept_bus(std::uint64_t seed) {
   BusNetworkOptions options;
@@ -30,20 +30,24 @@ struct Span {
   Time to{};
 };
 
-/// Spans of a run without a fault, by the order of place_names.
+/// Spans of a run without a fault, by the order of place_names. At a terminal, the bus arrives once
+/// more, where the next journey begins.
 std::array<std::vector<Span>, sweep_places> spans_of(const BusNetwork& network) {
+  using How = StopReached::How;
   std::array<std::vector<Span>, sweep_places> spans;
   const StopReached* last = nullptr;
   Time since{};
   bool is_terminal = false;
   for (const NetworkEvent& event : network.events()) {
-    if (std::holds_alternative<JourneyBegan>(event.what)) is_terminal = true;
     const auto* reached = std::get_if<StopReached>(&event.what);
     if (reached == nullptr) continue;
+    if (last != nullptr && last->how == How::arrives && reached->how == How::arrives) {
+      is_terminal = true;
+      continue;
+    }
     if (last != nullptr && since >= first_begin && since <= last_begin) {
-      const bool stood = reached->how == StopReached::How::leaves;
-      const std::size_t place = !stood ? 1U : (is_terminal ? 0U : 2U);
-      spans.at(place).push_back({since, event.at});
+      const std::size_t stood = is_terminal ? 0 : 2;
+      spans.at(reached->how == How::leaves ? stood : 1).push_back({since, event.at});
     }
     last = reached;
     since = event.at;
@@ -80,7 +84,7 @@ std::vector<SweptFault> swept_faults(std::uint64_t seed) {
       if (all.empty()) continue;
       const Span& span = all[random.below(static_cast<std::uint32_t>(all.size()))];
       fault.start = span.from + soak_time_up_to(random, span.to - span.from);
-      fault.duration = times[random.below(std::size(times))];
+      fault.duration = fault_times[random.below(std::size(fault_times))];
       swept.push_back({place_names.at(place), fault});
     }
   }
@@ -90,8 +94,7 @@ std::vector<SweptFault> swept_faults(std::uint64_t seed) {
 std::vector<std::string> wrong_verdicts(std::uint64_t seed, const SweptFault& swept) {
   BusNetworkOptions options = swept_bus(seed);
   options.faults.faults = {swept.fault};
-  const std::string where =
-      fault_text(swept.fault) + " (" + std::string(swept.place) + "): ";
+  const std::string where = fault_text(swept.fault) + " (" + std::string(swept.place) + "): ";
   std::vector<std::string> wrong;
   BusNetwork network(options);
   network.run_until(Time(bus_sweep_time));

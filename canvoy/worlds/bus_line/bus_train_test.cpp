@@ -148,6 +148,7 @@ TEST(BusTrainFaults, AFaultInOneCarIsNoExcuseForAnother) {
 TEST(BusTrainFaults, EachCarIsJudgedByItself) {
   const auto with = [](unsigned Sabotage::*what, unsigned car) {
     BusNetworkOptions options = train(4);
+    options.vehicle.riders.behind_every = 1;  // all riders, so that some press in each car
     options.sabotage.*what = car;
     return played(options);
   };

@@ -88,7 +88,7 @@ struct RiderOptions {
                       ///< get must outlive them
   unsigned cars = 1;  ///< of the train
   unsigned behind_every = 0;  ///< of several cars, every so-many-th passenger rides in one behind
-                              ///< the first, in turns; 0: none
+                              ///< the first, in turns; 0: all in the first
 };
 
 /// Counts since the beginning.
