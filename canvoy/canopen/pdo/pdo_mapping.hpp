@@ -146,7 +146,7 @@ class MappedValue {
   void* context_ = nullptr;  ///< for a TPDO, the PDO
   decltype(EntryHooks::notify) notify_ = nullptr;
   union {
-    decltype(EntryHooks::ask) ask_ = nullptr;
+    decltype(EntryHooks::ask) ask_ = nullptr;  ///< for an RPDO, see EntryHooks
     std::uintptr_t bucket_;  ///< for a TPDO, the first value with the hash equal to this position
   };
 };

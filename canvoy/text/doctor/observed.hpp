@@ -26,7 +26,7 @@ namespace canvoy::text {
 ///
 ///     TrafficWatch traffic(125'000);
 ///     traffic.hear(time, frame, node);
-///     traffic.awake();  // how long somebody spoke
+///     traffic.awake();  // time with frames
 class TrafficWatch {
  public:
   /// Minimum time without frames that counts as silence: the bus sleeps, or has no power.

@@ -20,7 +20,7 @@ inline constexpr Duration bus_sweep_time = 45min;  ///< length of a run of the s
 /// A fault, and where the bus is when it begins.
 struct SweptFault {
   std::string_view place{};  ///< `terminal`, `between`, `stop`
-  ScheduledFault fault{};
+  ScheduledFault fault{};    ///< with its time and duration
 };
 
 /// Draws the place in time of all faults of the sweep, and how long they last, from 1 s to 10 min.
