@@ -188,6 +188,20 @@ TEST(BootSlaveReset, SparesNobodyWhenTheNetworkBeginsUnlessOneIsKeptAlive) {
   sut.expect({"77F#00", "000#82 04", "000#82 06", "605#40 00 10 00 00 00 00 00"});
 }
 
+/// All are reset by one command, and none is asked before its boot-up message, up to the highest
+/// node-ID.
+TEST(BootSlaveReset, OfAllComesBeforeTheFirstQuestionToTheHighestNodeIdAsWell) {
+  for (const NodeId slave : {NodeId{2}, NodeId{126}, NodeId{127}}) {
+    BootNetwork sut(2, {}, 1);
+    sut.assign(slave, optional_slave);
+    sut.start();
+    sut.expect({"701#00", "000#82 00"});
+    sut.boot_up(slave);
+    const std::string request = slave == 2 ? "602" : slave == 126 ? "67E" : "67F";
+    sut.expect({request + "#40 00 10 00 00 00 00 00"});
+  }
+}
+
 TEST(BootSlaveReset, IsLeftToTheSlavesWhereTheOwnerWantsIt) {
   BootNetwork sut(2, {.options = {.resets_slaves = false}});
   sut.assign(5, optional_slave);

@@ -81,6 +81,7 @@ TEST(ConfigurationManager, ASlaveWithTheExpectedDateAndTimeIsLeftAlone) {
   manager.expect({});
   EXPECT_EQ(manager.slaves, std::vector<NodeId>{5});
   EXPECT_EQ(manager.outcome.kind, Kind::up_to_date);
+  EXPECT_EQ(manager.outcome.written, 0u);
   EXPECT_FALSE(manager.sut.busy(5));
 }
 
@@ -158,6 +159,7 @@ TEST(ConfigurationManager, ASlaveThatIsSilentHasFailedAt1020h) {
   EXPECT_EQ(manager.outcome.end, SdoEnd::no_answer());
   EXPECT_EQ(manager.outcome.index, 0x1020);
   EXPECT_EQ(manager.outcome.sub, 1);
+  EXPECT_EQ(manager.outcome.written, 0u);
 }
 
 TEST(ConfigurationManager, AnEntryThatIsRefusedIsNamedAndTheDateNotWritten) {

@@ -446,5 +446,19 @@ TEST(ChargerLimit, WhatTheBatteryBearsBoundsTheCurrentWithoutARequest) {
   }
 }
 
+/// A loss without a boot-up message: all is read again, and nothing else has changed.
+TEST_F(ChargerConnection, ABatteryThatBearsLessAfterALossIsChargedWithLess) {
+  cable.start_all();
+  cable.run_for(5s);
+  ASSERT_EQ(bench.delivered, 40);
+  cable.cut(1);
+  cable.run_for(5s);
+  ASSERT_EQ(bench.delivered, 0);
+  ASSERT_TRUE(battery.node().dictionary().set_number(0x6020, 3, 20));
+  cable.cut(1, false);
+  cable.run_for(5s);
+  EXPECT_EQ(bench.delivered, 20);
+}
+
 }  // namespace
 }  // namespace canvoy::cia419::charger_connection_test

@@ -246,6 +246,19 @@ TEST_F(Computer, ARequestWhileDoorsAreOpenIsForTheNextStop) {
   EXPECT_EQ(is_requested(), "00") << "the next stop";
 }
 
+/// Doors that were open before a reset of the node may have closed meanwhile: the first message
+/// that they are open is that of a stop.
+TEST_F(Computer, AfterAResetOfTheNodeOpenDoorsEndTheRequestThatCameSince) {
+  bench.ask("2F 88 64 01 80 00 00 00");
+  bench.cable.send("000#81 01");
+  bench.cable.send("000#01 01");
+  computer->request_stop();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#01");
+  bench.ask("2F 88 64 01 80 00 00 00");
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#00");
+}
+
 // 6204h is TRUE or FALSE (9.2.8.5), in a message of its own (8.1.5) that no network has to set up.
 TEST_F(Computer, ARequestToStopIsSentWithoutBeingConfigured) {
   bench.cable.clear();

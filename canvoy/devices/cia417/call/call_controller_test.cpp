@@ -265,6 +265,15 @@ TEST_F(CallControllerTest, AHallCallThatIsTakenAwayLeavesTheStopOfDestinationCal
   EXPECT_TRUE(calls.calls().empty());
 }
 
+/// Its panel names no door: it waits at all doors of the floor.
+TEST_F(CallControllerTest, ADestinationCallWithoutADoorKeepsItsStopWhenAHallCallIsTakenAway) {
+  const Call up_3{CallKind::up, CallPriority::standard, 3, 1};
+  calls.add(up_3);
+  calls.add_destination({BasicFunction::standard_destination_call, 9, 1, 3, 0x01, 1});
+  calls.withdraw(up_3);
+  EXPECT_TRUE(calls.calls().contains(up_3));
+}
+
 TEST_F(CallControllerTest, ADestinationCallThatIsTakenAwayLeavesTheHallCallThatPanelsShow) {
   const Call up_3{CallKind::up, CallPriority::standard, 3, 1};
   calls.add(up_3);

@@ -76,6 +76,23 @@ TEST_F(LiftInAGap, AnOverloadIsAskedForAgainAsLongAsItLasts) {
   EXPECT_EQ(count("188#R1"), 0u);
 }
 
+/// The question or its answer may be lost as well.
+TEST_F(LiftInAGap, AnOverloadIsAskedForEachSecondUntilThereIsAnAnswer) {
+  press_in_car(3);
+  ASSERT_TRUE(arrives_at(3));
+  cable.send("188#0E");
+  cable.clear();
+  run_for(5100ms);
+  EXPECT_EQ(count("188#R1"), 1u);
+  run_for(1s);
+  EXPECT_EQ(count("188#R1"), 2u);
+  run_for(1s);
+  EXPECT_EQ(count("188#R1"), 3u);
+  cable.send("188#02");
+  run_for(10s);
+  EXPECT_EQ(count("188#R1"), 3u);
+}
+
 /// 0000h may be lost: the error register (1001h) reports the same, here that of the drive, which
 /// has no error.
 TEST_F(LiftInAGap, TheErrorRegisterOfAUnitWithAnErrorIsRead) {

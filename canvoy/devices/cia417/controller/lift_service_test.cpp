@@ -207,6 +207,18 @@ TEST_F(LiftServiceTest, TwoInspectionStationsThatAreOnMoveTheCarTogether) {
   EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, 630'000) << "the pit is off";
 }
 
+/// One station is on, by a key on the roof of the car (floor 0); its buttons may be at another
+/// panel, here that of floor 1.
+TEST_F(LiftServiceTest, OfOneStationThatIsOnTheButtonsMayBeAtAnotherPanel) {
+  bench.turn(SpecialFunction::service_run);
+  bench.press("0E 15 01 01 10 01");
+  bench.run_for(1s);
+  EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, 630'000);
+  bench.press("0E 15 01 01 10 00");
+  bench.run_for(100ms);
+  EXPECT_TRUE(bench.car.motion.standing);
+}
+
 TEST_F(LiftServiceTest, AtTheEndOfItsTravelACarThatRestsShortOfItDoesNotGoOnByItself) {
   bench.car.run_margin = 50'000;  // a careful estimate of its way to stand
   bench.turn(SpecialFunction::dogging_service_enable);

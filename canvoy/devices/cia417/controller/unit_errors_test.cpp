@@ -211,6 +211,24 @@ TEST_F(UnitErrorsTest, ARegisterThatTellsOfTheBusOrVoltagesHoldsNothing) {
   }
 }
 
+/// Node 127 is the last of them, then comes the first again.
+TEST_F(UnitErrorsTest, UnitsWithAnErrorAreAskedInTurnUpToTheHighestNodeId) {
+  cable.send("601#23 28 10 7F FF 00 00 00");  // its emergencies: 0FFh
+  ASSERT_EQ(cable.last(0x581), "581#60 28 10 7F 00 00 00 00");
+  cable.send("0FF#00 50 01 00 00 00 00 00");
+  cable.send("088#00 50 01 00 00 00 00 00");
+  cable.clear();
+  const auto questions = [this] {
+    return std::pair(count("608#40 01 10 00 00 00 00 00"), count("67F#40 01 10 00 00 00 00 00"));
+  };
+  for (std::size_t round = 1; round <= 3; ++round) {
+    run_for(5s);
+    EXPECT_EQ(questions(), std::pair(round, round - 1));
+    run_for(5s);
+    EXPECT_EQ(questions(), std::pair(round, round));
+  }
+}
+
 TEST_F(UnitErrorsTest, TheEmergenciesThatItHearsStandInItsDictionary) {
   const Dictionary& dictionary = controller.node().dictionary();
   for (const unsigned node : {2U, 4U, 6U, 7U, 8U, 13U}) {

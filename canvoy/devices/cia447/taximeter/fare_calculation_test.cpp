@@ -67,6 +67,17 @@ TEST(FareCalculation, InModeDBothCostAtOnce) {
   EXPECT_EQ(fare.charged_time(), 360s);
 }
 
+/// No count came for an hour, while half an hour was not decided yet: what exceeds an hour is
+/// another slice.
+TEST(FareCalculation, ASliceThatExceedsAnHourEndsAtTheHour) {
+  auto fare = trip(FareMode::single_calculation);
+  fare.advance(0, 30min);
+  fare.advance(144'000, 60min);  // 18 km within the first hour: 41,40; then half an hour: 16,50
+  fare.close_slice();
+  EXPECT_EQ(fare.fare(), 3900u + 41'400u + 16'500u) << "not 12 km/h for 1,5 hours: 49,50";
+  EXPECT_EQ(fare.charged_time(), 30min);
+}
+
 TEST(FareCalculation, TheCrossoverSpeedMayBeGiven) {
   TariffLevel level = day;
   level.crossover_speed = 20'000;  // 20 km/h are 44,4 pulses a second

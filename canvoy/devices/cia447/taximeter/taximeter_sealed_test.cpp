@@ -154,6 +154,7 @@ TEST_F(Sealed, ReservedCodesAndDaysThatThereAreNotAreRefused) {
       {1, "2B 53 60 00 FF 3F 00 00"},   // 3FFFh to FFFDh
       {7, "23 F0 60 00 EA 07 F2 F1"},   // 2026-02-31: day in bits 27..20, month in 19..16
       {7, "23 F0 60 00 EA 07 D2 F1"},   // 2026-02-29
+      {7, "23 F0 60 00 FD FF D2 F1"},   // 02-29 of FFFDh, the highest year, which is odd
       {7, "23 F0 60 00 EA 07 EB F1"},   // 2026-11-30 is one: see below
       {7, "23 F0 60 00 EA 07 FB F1"},   // 2026-11-31
       {7, "23 F0 60 00 EA 07 8D F1"},   // month 0Dh
