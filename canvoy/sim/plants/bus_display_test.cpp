@@ -137,6 +137,9 @@ TEST_F(Passenger, ReadsTheTextOfAnXmlFile) {
 
 TEST_F(Passenger, SeesEveryDotInTestMode) {
   bench->ask("23 02 60 01 02 00 00 03");
+  std::string full;
+  for (int cell = 0; cell < 12; ++cell) full += "\u2588";
+  EXPECT_EQ(display.text(), (Lines{full, full}));
   const Picture lit = display.picture();
   for (std::size_t y = 0; y < 32; ++y) {
     for (std::size_t x = 0; x < 96; ++x) {

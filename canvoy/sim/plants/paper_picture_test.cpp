@@ -117,6 +117,12 @@ TEST_F(Paper, DotsOfAllColorsAreThere) {
   EXPECT_EQ(paper.present().bytes()[1], 0x00);
 }
 
+TEST_F(Paper, ARowOfDotsIsNoHigherThanADot) {
+  stream.set_mode(PrinterMode::graphics_rgb);
+  write(stream, std::string_view("\xFF\x00\x00\x00\x00\x00\x1B\x0A", 8));
+  EXPECT_EQ(paper.present().height(), 1u);
+}
+
 TEST_F(Paper, WhatIsCutIsAReceipt) {
   write(stream, "L\n\x04L");
   ASSERT_EQ(paper.receipts().size(), 1u);

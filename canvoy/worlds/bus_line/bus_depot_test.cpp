@@ -55,6 +55,35 @@ TEST(BusDepot, VehiclesDriveTheBlocksInTurn) {
   EXPECT_EQ(report(depot_vehicle(options, 2), 2).block, 2);
 }
 
+/// Vehicles 1 and 2 of a depot belong to one day, which has both of them, by their own seeds.
+TEST(BusDepot, TheDayOfALineHasEachBlockWithTheSeedOfItsVehicle) {
+  BusNetworkOptions options = depot();
+  Block second = options.line.blocks.front();
+  second.number = 2;
+  for (Journey& journey : second.journeys) {
+    journey.number += 100;
+    for (Passing& passing : journey.passings) {
+      passing.arrival += 10min;
+      passing.departure += 10min;
+    }
+  }
+  options.line.blocks.push_back(second);
+  std::vector<BusOptions> both(2, vehicle_options(options));
+  both[1].seed = both[0].seed + 1;
+  const LineDay day(options.line, both, 12h);
+  for (const std::uint32_t number : {1U, 2U}) {
+    const auto same = line_day_of(depot_vehicle(options, number), 12h);
+    ASSERT_NE(same, nullptr);
+    for (std::size_t stop = 0; stop < 4; ++stop) {
+      const auto ahead = day.ahead(1, 101, stop);
+      const auto ahead_too = same->ahead(1, 101, stop);
+      ASSERT_TRUE(ahead && ahead_too);
+      EXPECT_TRUE(ahead->left);
+      EXPECT_EQ(ahead->left, ahead_too->left) << number << ' ' << stop;
+    }
+  }
+}
+
 VehicleReport vehicle(std::uint32_t number, double worst, bool held) {
   VehicleReport made{.number = number, .length = number * 1min};
   made.statistics = {

@@ -43,5 +43,16 @@ TEST(NameSpelling, CyrillicAndGreekHaveSpellingsInUse) {
   EXPECT_FALSE(is_spelled(U"Patra", athens));
 }
 
+/// The first and the last letter of each block: U+0401, 040F, 0410, 042F and their small letters.
+TEST(NameSpelling, CyrillicLettersAtTheEndsOfTheirRowsAreThemselves) {
+  EXPECT_TRUE(is_spelled(U"Yolka", U"\u0401\u043B\u043A\u0430"));
+  EXPECT_TRUE(is_spelled(U"Dzep", U"\u040F\u0435\u043F"));
+  EXPECT_TRUE(is_spelled(U"odzak", U"\u043E\u045F\u0430\u043A"));
+  EXPECT_TRUE(is_spelled(U"Art", U"\u0410\u0440\u0442"));
+  EXPECT_TRUE(is_spelled(U"Yalta", U"\u042F\u043B\u0442\u0430"));
+  EXPECT_FALSE(is_spelled(U"Ert", U"\u0410\u0440\u0442"));
+  EXPECT_FALSE(is_spelled(U"Sed", U"\u0421\u0430\u0434")) << "a garden is no e";
+}
+
 }  // namespace
 }  // namespace canvoy::bus_line::name_spelling_test

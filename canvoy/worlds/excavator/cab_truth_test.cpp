@@ -136,6 +136,25 @@ TEST_F(CabTruthTest, AMachineThatHasJustMovedMayBeShownWhereItWas) {
   EXPECT_FALSE(sut.display_is_right(Time(11s), true));
 }
 
+/// While the machine moves, its pressure may be off by 400 bar: by that of all its load at once.
+TEST_F(CabTruthTest, AMovingPressureIsLookedAtAsWell) {
+  turn_rotator();
+  for (int i = 0; i < 10; ++i) machine.step(0.1);
+  sut.step(Time(10s));
+  show_all();
+  panel.turn_knob(3);
+  show(Shown::page, 3);
+  const double bar = machine.pressure_bar();
+  show(Shown::detail, std::ceil(bar) - 400);
+  EXPECT_TRUE(sut.display_is_right(Time(10s), true));
+  show(Shown::detail, std::floor(bar) + 400);
+  EXPECT_TRUE(sut.display_is_right(Time(10s), true));
+  for (const double off : {std::floor(bar) - 401, std::floor(bar) + 401}) {
+    show(Shown::detail, off);
+    EXPECT_FALSE(sut.display_is_right(Time(10s), true)) << off;
+  }
+}
+
 TEST_F(CabTruthTest, WithoutAHostNothingIsShownButTheLampOfFaults) {
   light(lamps_without_host.to_ulong());
   EXPECT_TRUE(sut.is_as_without_host());

@@ -1,7 +1,7 @@
 // A shift of an excavator, and each of its referees against a manipulated device.
 #include "canvoy/worlds/excavator/excavator_network.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <ostream>
@@ -83,6 +83,12 @@ TEST_P(ExcavatorSabotage, BreaksThisInvariantAlone) {
   Names expected{GetParam().broken};
   if (!GetParam().also.empty()) expected.push_back(GetParam().also);
   EXPECT_EQ(broken(network), expected);
+  Names told;
+  for (const ExcavatorEvent& event : network.events()) {
+    const auto* const news = std::get_if<InvariantBroken>(&event.what);
+    if (news != nullptr) told.push_back(invariant_name(news->invariant.kind).name);
+  }
+  EXPECT_THAT(told, testing::UnorderedElementsAreArray(expected)) << "each once";
 }
 /// Several faults, one after the other, so that some of them meet a moving machine.
 std::vector<ScheduledFault> many(const ScheduledFault& fault) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "canvoy/worlds/lift/fault.hpp"
 
@@ -261,6 +262,22 @@ TEST(RandomFaultsTest, TheyComeOneAtATimeInTheSpanAndByTheSeed) {
     EXPECT_GT(faults[i].start, faults[i - 1].end());
     EXPECT_LE(faults[i].part, 3);
   }
+}
+
+/// A cut or a babbling node of the group is at its controller (0) or at one of its lifts.
+TEST(RandomFaultsTest, OfAGroupMeetEachOfItsLiftsAndNoOther) {
+  const Building building = uniform_building({.lifts = 3});
+  std::array<unsigned, 4> met{};
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (const ScheduledFault& fault : random_faults(building, Time(5min), Time(65min), seed)) {
+      const bool has_place =
+          fault.kind == FaultKind::cable_cut || fault.kind == FaultKind::babbling_node;
+      if (fault.part != 0 || !has_place) continue;
+      ASSERT_LE(fault.node, 3) << seed;
+      ++met[fault.node];
+    }
+  }
+  for (const unsigned times : met) EXPECT_GT(times, 0u);
 }
 
 }  // namespace
