@@ -146,6 +146,8 @@ TEST(ProfileJson, ADeviceHasALineForEachOfItsObjects) {
             json::parse(R"({"kind":"device","profile":"499-1","code":"0A","device":"door","class":1,
       "subclass":2,"index":"6100","index_last":"6101","category":"mandatory","access":"wo",
       "consumed":false,"clause":"4"})"));
+  EXPECT_EQ(lines[1].at("index"), "6200");
+  EXPECT_EQ(lines[1].at("index_last"), "6200") << "a device that names no last one has this one";
   EXPECT_EQ(lines[1].at("category"), "optional");
   EXPECT_EQ(lines[1].at("access"), "ro") << "as the object says";
 }

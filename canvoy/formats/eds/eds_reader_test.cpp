@@ -283,5 +283,30 @@ TEST(EdsModules, AreMadeOnce) {
   EXPECT_EQ(second.objects.at(0x2100).own.value, "7");
 }
 
+/// The number of a module is of digits alone: M1.Fixed2100 is a section of somebody else's.
+TEST(EdsModules, AreNamedByDigits) {
+  for (const unsigned module : {1U, 8U}) {
+    const std::string text = "[ConnectedModules]\nNrOfEntries=1\n1=" + std::to_string(module) +
+                             "\n[M1.Fixed2100]\nParameterName=Filter\nDataType=6\n";
+    Findings findings;
+    EXPECT_FALSE(read_eds(text, findings).objects.contains(0x2100)) << module;
+  }
+}
+
+/// Sub-indices of entries are 1 to 254 (CiA 301, 7.4.7.1).
+TEST(EdsModules, MakeAsManyEntriesAsAnObjectHas) {
+  for (const std::size_t count : {1U, 254U, 255U, 0U}) {
+    const std::string text =
+        "[ConnectedModules]\nNrOfEntries=1\n1=1\n[M1SubExt6000]\nParameterName=Input\n"
+        "DataType=5\nAccessType=ro\nCount=" +
+        std::to_string(count) + "\n";
+    Findings findings;
+    const DataSheet sheet = read_eds(text, findings);
+    const bool is_possible = count == 1 || count == 254;
+    ASSERT_EQ(sheet.objects.contains(0x6000), is_possible) << count;
+    if (is_possible) EXPECT_EQ(sheet.objects.at(0x6000).subs.size(), count + 1) << "and the number";
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::formats::eds_reader_test

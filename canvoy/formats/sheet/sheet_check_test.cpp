@@ -205,5 +205,27 @@ TEST(SheetExport, WritesTheDefaultOfARealAsANumber) {  // 1.0, not the bits 3F80
   EXPECT_EQ(maker.take().objects.at(0x642F).subs.at(1).default_value, "1");
 }
 
+/// TPDO 3 has its parameters at 1802h and its mapping at 1A02h, RPDO 3 at 1402h and 1602h (CiA 301,
+/// 7.5.2.35 to 7.5.2.38).
+TEST(SheetExport, APdoHasItsParametersAndItsMappingAtTheirIndices) {
+  constexpr std::uint32_t mapped[] = {0x6000'00'08, 0x6052'00'10};
+  for (const bool is_transmitted : {true, false}) {
+    SheetMaker maker(cia419::profile, {});
+    maker.add(PdoInfo{
+        .direction = is_transmitted ? PdoInfo::Direction::transmit : PdoInfo::Direction::receive,
+        .number = 3,
+        .cob_id = 0x380,
+        .plus_node_id = true,
+        .mapping = mapped});
+    const DataSheet sheet = maker.take();
+    const SheetObject& parameter = sheet.objects.at(is_transmitted ? 0x1802 : 0x1402);
+    EXPECT_EQ(parameter.subs.at(1).default_value, "$NODEID+0x380");
+    const SheetObject& mapping = sheet.objects.at(is_transmitted ? 0x1A02 : 0x1602);
+    EXPECT_EQ(mapping.subs.size(), 3U);
+    EXPECT_EQ(mapping.own.name,
+              is_transmitted ? "TPDO mapping parameter" : "RPDO mapping parameter");
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::formats::sheet_check_test

@@ -77,6 +77,19 @@ TEST(Parquet, BeginsAndEndsWithItsMark) {
   EXPECT_EQ(file.substr(file.size() - 8 - length, 2), "\x15\x02"s);
 }
 
+/// SchemaElement of a time: type INT64, required, name, ConvertedType TIMESTAMP_MICROS, and
+/// LogicalType TIMESTAMP (8) with isAdjustedToUTC (1) and the unit MICROS (2).
+TEST(Parquet, ATimeIsSaidToBeInMicrosecondsOfUtcInBothWays) {
+  ParquetWriter sut({{"at", ParquetType::time}});
+  std::string file;
+  sut.column(0).add(Duration{1});
+  sut.end_row(file);
+  sut.finish(file);
+  EXPECT_NE(file.find("\x15\x04\x25\x00\x18\x02"
+                      "at\x25\x14\x4C\x8C\x11\x1C\x2C\0\0\0\0\0"s),
+            std::string::npos);
+}
+
 TEST(Parquet, CompressesAPageByGzip) {
   ParquetWriter sut({{"node", ParquetType::whole}});
   std::string file;

@@ -95,6 +95,27 @@ TEST(BlfTrace, TellsWhichErrorItIs) {
 }
 
 // Some programs count from 1970, or from year 1, instead of the start of the file.
+// An object of kind 101 (CAN_FD_MESSAGE_64): channel, DLC, number of bytes, transmissions, CAN-ID,
+// length in ns, flags, two bit rates, two offsets of time, bits, direction, offset of what follows,
+// checksum, data. Bit 12 of the flags is EDL.
+TEST(BlfTrace, AClassicFrameInAnObjectOfFdFramesIsOne) {
+  for (const bool is_fd : {false, true}) {
+    std::string content(file().substr(0, 0x90));
+    content.append("LOBJ\x20\0\1\0\x50\0\0\0\x65\0\0\0", 16);
+    content.append(16, '\0');
+    std::array<char, 48> object{1, 3, 3, 0, '\x85', 1};
+    object[13] = is_fd ? '\x10' : '\0';
+    object[40] = '\x11';
+    object[41] = '\x22';
+    object[42] = '\x33';
+    content.append(object.data(), object.size());
+    auto trace = TraceReader::of(content);
+    TraceFrame frame;
+    ASSERT_EQ(trace->next(frame), is_fd ? TraceRead::fd : TraceRead::frame) << trace->problem();
+    if (!is_fd) EXPECT_EQ(frame.frame, Frame::data_frame(0x185, {0x11, 0x22, 0x33}));
+  }
+}
+
 TEST(BlfTrace, WithTimesBeyondThirtyOneYearsIsRead) {
   const auto time_of = [](std::uint64_t unit, std::uint64_t count) {
     std::string content(file().substr(0, 40));

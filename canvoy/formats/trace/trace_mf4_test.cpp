@@ -3,8 +3,11 @@
 // we write, describes them; files that it wrote are read in tests/strangers/traces.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <bit>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -282,6 +285,114 @@ TEST(TraceMf4, SaysWhichBytesAreMissing) {
       &problems);
   EXPECT_EQ(problems, std::vector<std::string>{"the bytes of the frame are missing"});
   EXPECT_EQ(heard.size(), 1U);
+}
+
+/// Bytes of frames in a block SD of their own, each behind its length; frames have their offsets.
+std::string apart_file(const std::vector<std::uint64_t>& offsets) {
+  Mdf mdf;
+  std::string bytes;
+  for (const std::string& each : {std::string("ab"), std::string("cde")}) {
+    append_little(bytes, each.size(), 4);
+    bytes += each;
+  }
+  const std::uint64_t apart = mdf.add("SD", {}, bytes);
+  const std::uint64_t channels = mdf.channels({{"Timestamp", 0, 64, 2, 4},
+                                               {"CAN_DataFrame.ID", 8, 32},
+                                               {"CAN_DataFrame.DataLength", 12, 8},
+                                               {"CAN_DataFrame.DataBytes", 13, 64, 1, 10, apart}});
+  std::string records;
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    records += seconds(static_cast<double>(i + 1));
+    append_little(records, 0x181 + i, 4);
+    append_little(records, offsets[i] == 0 ? 2 : 3, 1);
+    append_little(records, offsets[i], 8);
+  }
+  const std::uint64_t group = mdf.group(0, channels, 0, offsets.size(), 21);
+  const std::uint64_t data = mdf.add("DT", {}, records);
+  return mdf.file(mdf.data_group(0, group, data, 0));
+}
+
+TEST(TraceMf4, FindsTheBytesOfFramesInABlockOfTheirOwn) {
+  const auto heard = all_of(apart_file({0, 6}));
+  ASSERT_EQ(heard.size(), 2U);
+  EXPECT_EQ(heard[0], (Heard{TraceRead::frame, 1s, 0x181, "ab", "can0"}));
+  EXPECT_EQ(heard[1], (Heard{TraceRead::frame, 2s, 0x182, "cde", "can0"}));
+}
+
+TEST(TraceMf4, BytesThatAreNotInTheOrderOfTheirFramesAreMissing) {
+  for (const std::vector<std::uint64_t>& offsets :
+       {std::vector<std::uint64_t>{6, 0}, std::vector<std::uint64_t>{6, 99}}) {
+    std::vector<std::string> problems;
+    const auto heard = all_of(apart_file(offsets), &problems);
+    EXPECT_EQ(problems, std::vector<std::string>{"the bytes of the frame are missing"});
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard[0].data, "cde");
+  }
+}
+
+/// A block DZ of kind 1: the first bytes of all records, then the second ones, and so on. Of the
+/// last record, that which is left over stands at the end, and goes on in the next block.
+TEST(TraceMf4, ReadsRecordsThatWereTransposedAndCompressed) {
+  constexpr std::size_t size = 21;
+  constexpr std::size_t left_over = 5;
+  const std::vector<std::string> all = {"ab", "cde", "f", "gh"};
+  std::string records;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    append_little(records, 0x181 + i, 4);
+    records += seconds(static_cast<double>(i + 1));
+    append_little(records, all[i].size(), 1);
+    records += all[i] + std::string(8 - all[i].size(), '\0');
+  }
+  std::string columns;
+  for (std::size_t column = 0; column < size; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) columns += records[row * size + column];
+  }
+  columns += records.substr(3 * size, left_over);
+  uLongf room = ::compressBound(columns.size());
+  std::string packed(room, '\0');
+  ASSERT_EQ(::compress(reinterpret_cast<Bytef*>(packed.data()), &room,
+                       reinterpret_cast<const Bytef*>(columns.data()), columns.size()),
+            Z_OK);
+  packed.resize(room);
+  std::string head("DT\1\0", 4);
+  append_little(head, size, 4);
+  append_little(head, columns.size(), 8);
+  append_little(head, packed.size(), 8);
+  Mdf mdf;
+  const std::uint64_t channels = mdf.channels({{"CAN_DataFrame.ID", 0, 32},
+                                               {"Timestamp", 4, 64, 2, 4},
+                                               {"CAN_DataFrame.DataLength", 12, 8},
+                                               {"CAN_DataFrame.DataBytes", 13, 64, 0, 10}});
+  const std::uint64_t group = mdf.group(0, channels, 0, 4, size);
+  const std::uint64_t first = mdf.add("DZ", {}, head + packed);
+  const std::uint64_t rest = mdf.add("DT", {}, records.substr(3 * size + left_over));
+  const std::uint64_t list = mdf.add("DL", {0, first, rest}, std::string(24, '\0'));
+  const auto heard = all_of(mdf.file(mdf.data_group(0, group, list, 0)));
+  ASSERT_EQ(heard.size(), 4U);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(heard[i], (Heard{TraceRead::frame, (i + 1) * 1s, 0x181 + i, all[i], "can0"}));
+  }
+}
+
+/// The block HD behind the 64 bytes of the file: header of 24, six links, the start in ns, the
+/// offsets of the time zone and of summer time in minutes, and the flags, of which 2 says that both
+/// are there.
+TEST(TraceMf4, AFileThatIsWrittenBeginsInUtc) {
+  const TemporaryFile file;
+  auto writer = TraceWriter::create(file.path(), TraceFormat::mf4);
+  ASSERT_TRUE(writer);
+  TraceFrame frame;
+  frame.time = Time{} + 1'700'000'000s;
+  frame.frame = Frame::data_frame(0x181, {1});
+  ASSERT_TRUE(writer->write(frame));
+  ASSERT_TRUE(writer->finish());
+  std::ifstream in(file.path(), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  ASSERT_EQ(bytes.substr(64, 4), "##HD");
+  std::string expected;
+  append_little(expected, 1'700'000'000'000'000'000, 8);
+  expected += std::string("\0\0\0\0\2", 5);
+  EXPECT_EQ(bytes.substr(64 + 24 + 6 * 8, 13), expected);
 }
 
 TEST(TraceMf4, CannotGoOnBehindARecordThatIsNotDescribed) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <string>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
@@ -26,6 +27,21 @@ TEST(Trace, OfAFolderIsRefused) {
   const auto trace = TraceReader::open("/tmp");
   ASSERT_FALSE(trace);
   EXPECT_EQ(trace.error().line(), "/tmp: it is a folder; name a log file");
+}
+
+/// EINTR is from a call before that has nothing to do with the file.
+TEST(Trace, IsReadToItsEndWhateverErrnoWasBefore) {
+  const TemporaryFile file("(1.000000) can0 185#1E2F\n(2.000000) can0 186#\n");
+  errno = EINTR;
+  auto trace = TraceReader::open(file.path());
+  ASSERT_TRUE(trace);
+  TraceFrame frame;
+  for (const std::uint32_t id : {0x185U, 0x186U}) {
+    errno = EINTR;
+    ASSERT_EQ(trace->next(frame), TraceRead::frame);
+    EXPECT_EQ(frame.frame.id, id);
+  }
+  EXPECT_EQ(trace->next(frame), TraceRead::end);
 }
 
 TEST(Trace, OfAnotherKindOfFileNamesTheKindsThatAreRead) {
