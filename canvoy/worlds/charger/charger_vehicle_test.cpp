@@ -93,6 +93,19 @@ TEST(ChargerInAVehicle, WithoutAManagerTheDefaultChannelDoes) {
   EXPECT_NEAR(sut.snapshot().ampere, 60, 0.1);
 }
 
+/// No other controller is on the bus: no frame of the charger is acknowledged (ISO 11898-1).
+TEST(ChargerInAVehicle, WithoutAManagerAndABatteryTheChargerIsAlone) {
+  ChargerOptions options = in_vehicle();
+  options.plays_battery = false;
+  for (const NodeId id : {manager, NodeId{0}}) {
+    options.manager_id = id;
+    ChargerNetwork sut(options);
+    const FrameCount count(sut);
+    sut.run_until(Time(10s));
+    EXPECT_EQ(count.frames[0x705] > 0, id != 0) << unsigned{id};
+  }
+}
+
 TEST(ChargerInAVehicle, TheConnectionToABatteryThatRestartsEndsAndTheChargeGoesOn) {
   ChargerOptions options = in_vehicle();
   options.faults.faults = {{FaultKind::battery_restart, Time(1min)}};

@@ -57,6 +57,28 @@ TEST(ExcavatorArmrest, ALeverThatIsRaisedStopsTheMachine) {
   EXPECT_FALSE(is_released(network)) << "whoever presses: the lever is up";
 }
 
+/// Whoever holds a stick while the lever goes up and down, and unlocks, has to let it go first.
+TEST(ExcavatorArmrest, AStickThatIsHeldWhileTheLeverIsRaisedMovesNothingBeforeItHasRested) {
+  ExcavatorOptions options{.length = 1min};
+  options.shift.recorded = {{Time(1s), HandInput::lever, 1},    {Time(8s), HandInput::lock, 0.2},
+                            {Time(9s), HandInput::throttle, 1}, {Time(11s), HandInput::left_x, 1},
+                            {Time(14s), HandInput::lever, 0},   {Time(17s), HandInput::lever, 1},
+                            {Time(20s), HandInput::lock, 0.2},  {Time(24s), HandInput::left_x, 0},
+                            {Time(25s), HandInput::left_x, 1}};
+  ExcavatorNetwork network(options);
+  const auto speed = [&](Duration at) {
+    network.run_until(Time(at));
+    return network.machine().speed(Movement::slew);
+  };
+  EXPECT_GT(speed(13900ms), 0);
+  EXPECT_EQ(speed(16900ms), 0);
+  EXPECT_FALSE(is_released(network));
+  EXPECT_EQ(speed(22s), 0);
+  EXPECT_TRUE(is_released(network)) << "unlocked";
+  EXPECT_EQ(speed(23900ms), 0);
+  EXPECT_GT(speed(27s), 0);
+}
+
 /// Each stops the machine within the time for a hand, and does not release it by itself.
 TEST(ExcavatorArmrest, EmergencyStopAndSeatSwitchStopTheMachine) {
   for (const FaultKind kind : {FaultKind::emergency_stop, FaultKind::seat_switch}) {

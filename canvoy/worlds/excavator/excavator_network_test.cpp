@@ -161,6 +161,21 @@ TEST(ExcavatorNetwork, ALostSeatStopsTheMachineWithinTheConsumerTime) {
   }
 }
 
+/// What is pressed while the module is gone has no effect later: nobody expects it any more.
+TEST(ExcavatorNetwork, AButtonThatIsPressedWithoutTheValvesSwitchesNothingWhenTheyReturn) {
+  ExcavatorOptions options{.length = 2min};
+  options.shift.recorded = {{Time(20s), HandInput::light, 0.2}, {Time(60s), HandInput::light, 0.2}};
+  ExcavatorNetwork network(options);
+  network.run_until(Time(10s));
+  network.node(valves_id).power(false);
+  network.run_until(Time(30s));
+  network.node(valves_id).power(true);
+  network.run_until(Time(59s));
+  EXPECT_FALSE(is_lit(network.panel().lit(), Lamp::light));
+  network.run_until(Time(62s));
+  EXPECT_TRUE(is_lit(network.panel().lit(), Lamp::light)) << "pressed with them";
+}
+
 TEST(ExcavatorNetwork, ALostHostStopsTheMachineAndTheSeatSaysSo) {
   ExcavatorNetwork network({.length = 10min});
   run_until_moving(network, Movement::slew);
