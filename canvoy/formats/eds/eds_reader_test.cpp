@@ -283,7 +283,7 @@ TEST(EdsModules, AreMadeOnce) {
   EXPECT_EQ(second.objects.at(0x2100).own.value, "7");
 }
 
-/// The number of a module is of digits alone: M1.Fixed2100 is a section of somebody else's.
+/// The number of a module is of digits alone: M1.Fixed2100 is a section of another tool.
 TEST(EdsModules, AreNamedByDigits) {
   for (const unsigned module : {1U, 8U}) {
     const std::string text = "[ConnectedModules]\nNrOfEntries=1\n1=" + std::to_string(module) +

@@ -167,6 +167,24 @@ TEST(BusDesign, FourDoorsAreCounted) {
   EXPECT_GT(bus.network.vehicle().riders().statistics().aboard_max, 20u);
 }
 
+/// A device without a door has no part in the counts of the doors: those of the second journey
+/// are judged, too, which begins at 5:20.
+TEST(BusDesign, AnAddedDeviceThatIsLostDoesNotExcuseTheCounters) {
+  BusNetworkOptions options = with_seed(1);
+  options.design.added = {{.kind = "generic-io", .id = 50}};
+  options.faults.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(1s), .duration = 42min, .node = 50}};
+  BusNetwork network(options);
+  const auto judged = [&] {
+    const auto all = network.invariants();
+    return std::ranges::find(all, InvariantKind::passengers, &Invariant::kind)->judged;
+  };
+  network.run_until(Time(30min));
+  const auto before = judged();
+  network.run_until(Time(40min));
+  EXPECT_GT(judged(), before);
+}
+
 TEST(BusDesign, ASmallBusLeavesPeopleBehind) {
   BusNetworkOptions options = with_seed(1);
   options.design.capacity = 4;

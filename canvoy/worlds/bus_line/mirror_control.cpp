@@ -140,7 +140,7 @@ void MirrorControl::changed(NodeId id, RemoteState state) {
 
 std::vector<std::uint8_t> MirrorControl::text(std::uint16_t index, std::uint8_t sub) {
   const Result<Entry> entry = node().dictionary().find(index, sub);
-  if (!entry || !entry->row->is_text()) return {};
+  if (!entry) return {};
   const std::span<const std::uint8_t> octets = entry->bytes();
   const bool is_blank = std::ranges::all_of(octets, [](std::uint8_t one) { return one == ' '; });
   return is_blank ? std::vector<std::uint8_t>()

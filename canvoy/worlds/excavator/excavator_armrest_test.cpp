@@ -57,7 +57,7 @@ TEST(ExcavatorArmrest, ALeverThatIsRaisedStopsTheMachine) {
   EXPECT_FALSE(is_released(network)) << "whoever presses: the lever is up";
 }
 
-/// Whoever holds a stick while the lever goes up and down, and unlocks, has to let it go first.
+/// A stick that is held while the lever goes up and down has to rest before it moves the machine.
 TEST(ExcavatorArmrest, AStickThatIsHeldWhileTheLeverIsRaisedMovesNothingBeforeItHasRested) {
   ExcavatorOptions options{.length = 1min};
   options.shift.recorded = {{Time(1s), HandInput::lever, 1},    {Time(8s), HandInput::lock, 0.2},

@@ -161,7 +161,7 @@ TEST(ExcavatorNetwork, ALostSeatStopsTheMachineWithinTheConsumerTime) {
   }
 }
 
-/// What is pressed while the module is gone has no effect later: nobody expects it any more.
+/// What is pressed while the module is gone has no effect later, when it is not expected.
 TEST(ExcavatorNetwork, AButtonThatIsPressedWithoutTheValvesSwitchesNothingWhenTheyReturn) {
   ExcavatorOptions options{.length = 2min};
   options.shift.recorded = {{Time(20s), HandInput::light, 0.2}, {Time(60s), HandInput::light, 0.2}};

@@ -35,7 +35,7 @@ TEST(PoliceReferee, EachInvariantMayBeBrokenForItsTimeAndNoLonger) {
   }
 }
 
-/// What is right for a moment begins anew.
+/// What is right for a moment ends the interval.
 TEST(PoliceReferee, TimesThatAreNotInOnePieceAreNotSummed) {
   PoliceReferee sut;
   const auto kind = InvariantKind::siren_alone;
