@@ -65,6 +65,25 @@ TEST(Router, KnowsNobodyAtFirst) {
   EXPECT_FALSE(sut.taken);
 }
 
+/// On a small machine as well, where it has no route.
+TEST(Router, AServiceThatListensToAnotherCanIdNoLongerWantsTheFormer) {
+  Routed sut(4);
+  using Filter = std::set<std::uint16_t>;
+  const auto listen = [&sut](std::uint16_t present, std::uint16_t wanted) {
+    return sut.router.listen<&Routed::Receiver::receive>(sut.all[0], present, wanted);
+  };
+  EXPECT_TRUE(listen(0, 0x185));
+  EXPECT_EQ(sut.filter, Filter{0x185});
+  EXPECT_TRUE(listen(0x185, 0x186));
+  EXPECT_EQ(sut.filter, Filter{0x186});
+  EXPECT_FALSE(listen(0x186, 0));
+  EXPECT_EQ(sut.filter, Filter{});
+  sut.router.add(0x185, sut[1]);
+  listen(0, 0x185);
+  listen(0x185, 0);
+  EXPECT_EQ(sut.filter, Filter{0x185}) << "another one wants it";
+}
+
 TEST(Router, HandsAFrameToWhoWantsItAndToNobodyElse) {
   Routed sut(4);
   EXPECT_TRUE(sut.router.add(0x123, sut[0]));
