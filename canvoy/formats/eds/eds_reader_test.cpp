@@ -304,7 +304,9 @@ TEST(EdsModules, MakeAsManyEntriesAsAnObjectHas) {
     const DataSheet sheet = read_eds(text, findings);
     const bool is_possible = count == 1 || count == 254;
     ASSERT_EQ(sheet.objects.contains(0x6000), is_possible) << count;
-    if (is_possible) EXPECT_EQ(sheet.objects.at(0x6000).subs.size(), count + 1) << "and the number";
+    if (is_possible) {
+      EXPECT_EQ(sheet.objects.at(0x6000).subs.size(), count + 1) << "and the number";
+    }
   }
 }
 

@@ -112,7 +112,9 @@ TEST(BlfTrace, AClassicFrameInAnObjectOfFdFramesIsOne) {
     auto trace = TraceReader::of(content);
     TraceFrame frame;
     ASSERT_EQ(trace->next(frame), is_fd ? TraceRead::fd : TraceRead::frame) << trace->problem();
-    if (!is_fd) EXPECT_EQ(frame.frame, Frame::data_frame(0x185, {0x11, 0x22, 0x33}));
+    if (!is_fd) {
+      EXPECT_EQ(frame.frame, Frame::data_frame(0x185, {0x11, 0x22, 0x33}));
+    }
   }
 }
 
