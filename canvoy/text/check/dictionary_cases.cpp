@@ -147,7 +147,7 @@ void judge_length(Bench& bench, const Place& place, Complaints& complaints) {
 }
 
 /// Constants, and values set by the manufacturer alone: the device type and its identity.
-void judge_default(Bench& bench, const Place& place, Complaints& complaints) {
+void judge_sheet_default(Bench& bench, const Place& place, Complaints& complaints) {
   namespace at = object_index;
   const bool is_identity = place.index == at::identity && place.sub != 4;
   const bool is_fixed = place.entry->access == "const" || place.index == at::device_type;
@@ -296,7 +296,7 @@ constexpr PlaceRow place_rows[] = {
     {"dictionary-06", "CiA 301, 7.4.7", "values have the length of their type", "that many bytes",
      judge_length, "no entry has a type of one length"},
     {"dictionary-07", "CiA 306", "constants and the identity are as the data sheet says",
-     "its default values", judge_default, "the data sheet gives no constant a value"},
+     "its default values", judge_sheet_default, "the data sheet gives no constant a value"},
     {"dictionary-08", "CiA 301, 7.4.3", "parameters of communication can be written",
      "no 0601 0002h to its own value", judge_own_value, "no such parameter can be written"},
     {"dictionary-09", "CiA 306", "values beyond the limits of the data sheet are refused",

@@ -78,10 +78,10 @@ std::optional<LssAddress> selected_address(const LssOptions& options) {
 }
 
 /// Switches one node to state configuration, and always back to waiting at the end.
-class Configuration {
+class ConfiguredNode {
  public:
-  explicit Configuration(const LssOptions& options)
-      : Configuration(selected_address(options), options) {
+  explicit ConfiguredNode(const LssOptions& options)
+      : ConfiguredNode(selected_address(options), options) {
     session_.switch_global(LssState::waiting);
     if (address_) {
       session_.select(*address_);
@@ -90,20 +90,20 @@ class Configuration {
       session_.require_one_node();
     }
   }
-  ~Configuration() {
+  ~ConfiguredNode() {
     try {
       session_.switch_global(LssState::waiting);
     } catch (const Failure&) {  // the bus is gone: the first error says more
     }
   }
-  Configuration(const Configuration&) = delete;
-  Configuration& operator=(const Configuration&) = delete;
+  ConfiguredNode(const ConfiguredNode&) = delete;
+  ConfiguredNode& operator=(const ConfiguredNode&) = delete;
 
   LssSession* operator->() { return &session_; }
 
  private:
   /// From the end of the constructor on, there is something to undo.
-  Configuration(const std::optional<LssAddress>& address, const LssOptions& options)
+  ConfiguredNode(const std::optional<LssAddress>& address, const LssOptions& options)
       : address_(address), session_(options.bus, options.time_out()) {}
 
   std::optional<LssAddress> address_;
@@ -229,7 +229,7 @@ int scan(const LssOptions& options) {
 }
 
 int inquire(const LssOptions& options) {
-  Configuration node(options);
+  ConfiguredNode node(options);
   const LssAddress address = node->inquire_address();
   const NodeId id = node->inquire_node_id();
   const std::string text = fmt::format("{}: {}", lss_address_text(address),
@@ -248,7 +248,7 @@ int inquire(const LssOptions& options) {
 
 int set_node_id(const LssOptions& options) {
   const NodeId id = options.value == "none" ? node_id_unconfigured : parse_node_id(options.value);
-  Configuration node(options);
+  ConfiguredNode node(options);
   const NodeId before = node->inquire_node_id();
   node->configure_node_id(id);
   if (options.store) node->store();
@@ -264,7 +264,7 @@ int set_node_id(const LssOptions& options) {
 
 int set_bit_rate(const LssOptions& options) {
   const std::uint8_t index = parse_bit_timing(options.value);
-  Configuration node(options);
+  ConfiguredNode node(options);
   node->configure_bit_timing(index);
   if (options.store) node->store();
   const std::uint32_t bit_rate = lss_bit_timing::bit_rate(index);
@@ -334,7 +334,7 @@ int activate(const LssOptions& options) {
 }
 
 int store_settings(const LssOptions& options) {
-  Configuration node(options);
+  ConfiguredNode node(options);
   node->store();
   if (options.json) {
     JsonEvent("stored").print();

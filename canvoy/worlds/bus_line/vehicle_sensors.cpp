@@ -39,8 +39,6 @@ void VehicleSensors::add_vehicle_devices() {
 
 void VehicleSensors::add_counters() {
   using namespace cia407;
-  using Settings = PassengerCounterSettings;
-  using Unit = PassengerCounterUnit;
   counters_.push_back({.key = first_counter_id, .door = 1});
   counters_.push_back({.key = second_counter_id, .door = 2});
   for (const AddedDevice& added : nodes_.design().added) {
