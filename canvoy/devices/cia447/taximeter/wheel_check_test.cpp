@@ -1,6 +1,6 @@
 // Wheel pulses that do not fit to the rpm of the wheels (CiA 447-3, 4.2.4.4), by the counts that a
 // taximeter takes. k is 1000 pulses: 4 thousandths of a distance unit are 4 pulses.
-#include "canvoy/devices/cia447/taximeter/wheel_check.hpp"
+#include "canvoy/devices/cia447/taximeter/wheel_pulses.hpp"
 
 #include <gtest/gtest.h>
 
