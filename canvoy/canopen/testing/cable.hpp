@@ -41,8 +41,11 @@ class Cable {
   }
   /// Sends a frame of the test to all.
   void send(std::string_view frame) { send(wire_frame(frame)); }
-  void send(const Frame& frame) {
-    queue_.push_back({nodes_max, frame});
+  void send(const Frame& frame) { send_from(nodes_max, frame); }
+  /// Sends a frame in place of the node there, which does not hear it.
+  void send_from(std::size_t place, std::string_view frame) { send_from(place, wire_frame(frame)); }
+  void send_from(std::size_t place, const Frame& frame) {
+    queue_.push_back({place, frame});
     settle();
   }
 

