@@ -61,8 +61,8 @@ TEST(BusSettings, ATrainOfFourCarsIsWrittenDown) {
   EXPECT_TRUE(has(text, "\n[fourth-next-stop]  # node 55\n"));
   EXPECT_TRUE(has(text, "\ncar = 4"));
   EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
-  EXPECT_FALSE(has(whole("[vehicle]\ncars = 3\n"), "fourth"));
-  EXPECT_FALSE(has(whole(""), "third"));
+  EXPECT_FALSE(has(whole("[vehicle]\ncars = 3\n"), "\n[fourth"));
+  EXPECT_FALSE(has(whole(""), "\n[third"));
   EXPECT_EQ(whole("[third-announcer]\nplayed = true\n"),
             "bus.toml line 2: third-announcer: the bus has 2 cars");
   EXPECT_EQ(whole("[fourth_bus]\nreal = \"can3\"\n[vehicle]\ncars = 3\n"),
