@@ -18,7 +18,7 @@ class PowerCuts {
   /// Called when a node loses its power or has it again.
   using Switch = Callback<void(NodeId, bool is_on)>;
 
-  /// Makes a count for nodes 0 to 127, all with power.
+  /// Makes a count for each number of 8 bits, a node-ID or a world's own, all with power.
   explicit PowerCuts(Switch power) : power_(power) {}
 
   /// A fault begins with false, and ends with true.
@@ -37,7 +37,7 @@ class PowerCuts {
 
  private:
   Switch power_;
-  std::array<unsigned, node_id_max + 1> cuts_{};
+  std::array<unsigned, 256> cuts_{};
 };
 
 }  // namespace canvoy

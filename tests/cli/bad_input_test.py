@@ -15,6 +15,7 @@ import own_network
 
 # A bus on which nobody is.
 QUIET = "udp:239.74.163.9:43119"
+ASKING = (["read", "10", "1000"], ["write", "10", "1017", "5s"], ["nmt", "10", "start"], ["sync"], ["expect", "10", "6010 > 5"])
 
 # Arguments, and parts of the line that refuses them: what is wrong, and what would be right.
 WRONG_USAGE = [
@@ -137,7 +138,7 @@ WRONG_USAGE = [
     (["lss", QUIET], "command"),
     (["lss", "sim", "scan"], "sim", "can0 or udp:"),
     (["lss", "-", "scan"], "'-'", "only be listened to"),
-    (["lss", QUIET, "find"], "'find'", "scan, inquire"),
+    (["lss", QUIET, "discover"], "'discover'", "scan, inquire"),
     (["lss", QUIET, "scan", "now"], "'now'", "scan"),
     (["lss", QUIET, "scan", "--store"], "--store", "--assign"),
     (["lss", QUIET, "scan", "--assign", "20-10"], "'20-10'", "10-20"),
@@ -183,8 +184,10 @@ WRONG_USAGE = [
     # a log is no bus
     *[([verb, source, *rest], f"'{source}'", "can only be listened to", "name a bus")
       for source in ("-", "night.log", "./night")
-      for verb, *rest in (["read", "10", "1000"], ["write", "10", "1017", "5s"], ["nmt", "10", "start"], ["scan"], ["sync"], ["browse", "10"],
-                          ["clone", "10"], ["expect", "10", "6010 > 5"],  ["boot", "--node", "5"], ["gateway"])],
+      for verb, *rest in (["scan"], ["browse", "10"], ["clone", "10"], ["boot", "--node", "5"], ["gateway"])],
+    *[([verb, source, *rest], f"'{source}'", "can only be listened to", "name a bus")
+      for source in ("-", "./night") for verb, *rest in ASKING],
+    *[([verb, "night.log", *rest], f"'{verb}' is of a bus", "canvoy decode night.log") for verb, *rest in ASKING],
     *[(["device", "charger", source], f"'{source}'", "can only be listened to", "name a bus") for source in ("-", "night.log", "./night")],
     # options of lines, where there are none
     (["view", "night.log", "--transfers"], "'--transfers' is not known"),

@@ -108,7 +108,7 @@ class ConvertLogTest(CommandTest):
         self.assert_refused(run("convert-log", letter, kept), FAILED, "letter.txt", "looks like text without frames")
         self.assert_refused(run("convert-log", "/no/such.log", kept), FAILED, "/no/such.log", "check the path")
         self.assert_refused(run("convert-log", log, "/no/such/folder/a.asc"), FAILED, "/no/such/folder/a.asc")
-        self.assert_refused(run("convert-log", log), USAGE, "out")
+        self.assert_refused(run("convert-log", log), USAGE, "which file is to be written")
         self.assertEqual((self.folder / "kept.asc").read_text(), "kept")
         self.assertEqual((self.folder / "bus.log").read_text(), LOG)
 

@@ -301,7 +301,7 @@ std::string wrapped_help(std::string_view help, const HelpLayout& layout) {
 
 }  // namespace
 
-Verb::Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Action> chosen)
+Verb::Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Chosen> chosen)
     : app_(std::move(app)), parent_(parent), chosen_(std::move(chosen)) {}
 
 Verb::~Verb() = default;
@@ -354,12 +354,12 @@ void Verb::keep_options_apart() {
 }
 
 void Verb::when_parsed(std::function<void()> then) {
-  app_->parse_complete_callback(std::move(then));
+  when_parsed_ = std::move(then);
 }
 
 void Verb::runs(Action action) {
   app_->callback([this, action = std::move(action)] {
-    if (app_->get_subcommands().empty()) *chosen_ = action;
+    if (app_->get_subcommands().empty()) *chosen_ = {action, when_parsed_};
   });
 }
 
@@ -393,7 +393,7 @@ std::size_t Verb::count(const char* option) const {
 }
 
 CommandLine::CommandLine(const std::string& about, const std::string& name)
-    : Verb(std::make_shared<CLI::App>(about, name), nullptr, std::make_shared<Action>()) {}
+    : Verb(std::make_shared<CLI::App>(about, name), nullptr, std::make_shared<Chosen>()) {}
 
 void CommandLine::set_version(const char* name, const std::string& version) {
   app_->set_version_flag(name, version);
@@ -409,6 +409,7 @@ CommandLine::Outcome CommandLine::parse(std::vector<std::string> words, std::siz
   try {
     std::ranges::reverse(words);  // in the order that CLI11 expects
     app_->parse(std::move(words));
+    chosen_->when_parsed();
     return {Outcome::Kind::understood};
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error)};

@@ -141,7 +141,7 @@ class Verb {
   void allow_verb();
   /// Does not accept options of the verbs above after this verb.
   void keep_options_apart();
-  /// Sets the function called when all words of the verb were parsed.
+  /// Sets the function called when all words of the line were parsed, for the chosen verb.
   void when_parsed(std::function<void()> then);
   /// Sets the action if no verb below was chosen.
   void runs(Action action);
@@ -164,12 +164,18 @@ class Verb {
  private:
   friend class CommandLine;
 
-  /// `chosen` is the action of the command line, shared by all of its verbs.
-  Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Action> chosen);
+  /// What the words have chosen.
+  struct Chosen {
+    Action action = {};
+    std::function<void()> when_parsed = [] {};
+  };
+  /// `chosen` is that of the command line, shared by all of its verbs.
+  Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Chosen> chosen);
 
   std::shared_ptr<CLI::App> app_;
   const Verb* parent_;
-  std::shared_ptr<Action> chosen_;
+  std::shared_ptr<Chosen> chosen_;
+  std::function<void()> when_parsed_ = [] {};
   std::vector<std::unique_ptr<Verb>> verbs_ = {};
   std::string group_ = {};
 };
@@ -199,7 +205,7 @@ class CommandLine : public Verb {
   Outcome parse(std::vector<std::string> words, std::size_t columns = 0);
 
   /// Runs the action of the chosen verb, which must exist.
-  int run() const { return (*chosen_)(); }
+  int run() const { return chosen_->action(); }
 };
 
 }  // namespace canvoy::tools

@@ -155,8 +155,8 @@ std::string without_times(const std::string& value) {
   std::string_view number = value;
   if (number.starts_with('x')) number.remove_prefix(1);
   if (number.ends_with('x')) number.remove_suffix(1);
-  const bool is_number =
-      !number.empty() && number.find_first_not_of("0123456789.") == std::string_view::npos;
+  const bool is_number = number.find_first_of("123456789") != std::string_view::npos &&
+                         number.find_first_not_of("0123456789.") == std::string_view::npos;
   return is_number ? std::string(number) : value;
 }
 

@@ -118,14 +118,15 @@ void add_bus(Words& words, const BusPlace& place) {
   const std::size_t places = count_places(words);
   const bool is_said = places >= place.at && names_bus(words[place.at]);
   if (is_said || places + 1 < place.at) return;
-  if (const std::optional<std::string> said = take_bus_option(words)) {
+  const std::string first = places >= place.at ? words[place.at] : words.front();
+  const bool is_file =
+      first == "-" || first.find('/') != std::string::npos || first.find('.') != std::string::npos;
+  const std::optional<std::string> said = is_file ? std::nullopt : take_bus_option(words);
+  if (said) {
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(place.at), *said);
     return;
   }
-  const std::string& verb = words.front();
-  const std::string& first = places >= place.at ? words[place.at] : verb;
-  const bool is_file =
-      first == "-" || first.find('/') != std::string::npos || first.find('.') != std::string::npos;
+  const std::string verb = words.front();
   // A log where a bus may stand as well.
   if (verb == "monitor" && places > 0 && is_file) return;
   const bool is_whole = places >= place.others_min && places <= place.others_max;

@@ -75,7 +75,7 @@ void order_lss(Words& words) {
   if (!names_bus(words[1]) && names_bus(words[2])) std::swap(words[1], words[2]);
   // `set node 20`, `get node` and `conf bitrate 250` as one word.
   for (const std::string_view first : {"set", "get", "conf", "configure", "inquire"}) {
-    if (words[2] != first || words.size() < 4 || is_small_number(words[3])) continue;
+    if (words[2] != first || count_places(words) < 3 || is_small_number(words[3])) continue;
     words[2] += '-' + words[3];
     erase_word(words, 3);
   }

@@ -49,7 +49,8 @@ void BusDisplays::add_following_car(unsigned car) {
 }
 
 void BusDisplays::lose_power(DeviceKey key) {
-  if (displays_.at(key)) displays_.at(key)->power_off();
+  const bool is_display = key < displays_.size() && displays_[key] != nullptr;  // none is added
+  if (is_display) displays_[key]->power_off();
 }
 
 bool BusDisplays::is_sign_lit(unsigned car) const {

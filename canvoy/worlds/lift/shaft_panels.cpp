@@ -124,7 +124,9 @@ void ShaftPanels::shown(const NodeDescription& panel, const cia417::VirtualOutpu
 void ShaftPanels::shown_position(NodeId id, const cia417::OutputView& view) {
   const auto panel = std::ranges::find(panels_, id, &Panel::id);
   if (panel == panels_.end()) return;
-  panel->shown_floor = view.on ? view.sub_function : no_floor;
+  const FloorNumber shown = view.on ? view.sub_function : no_floor;
+  if (shown == panel->shown_floor) return;
+  panel->shown_floor = shown;
   panel->shown_since = world_->now();
 }
 
