@@ -173,8 +173,9 @@ std::vector<Way> guarding_ways() {
   const auto asks = [](const Middle& middle, const Frame& frame) {
     return frame.id == middle.states() && frame.is_remote();
   };
+  // Behind the answer to what was heard.
   const auto alarm = [](Middle& middle) {
-    middle.add(middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
+    middle.add_later(10ms, middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
   };
   return {
       {"the toggle bit stands still",
@@ -229,6 +230,8 @@ std::vector<Way> guarding_ways() {
       hears("supervision begins without a heartbeat", {"heartbeat-06"},
             [](Middle& middle, Frame& frame) {
               const bool is_it = is_download(middle, frame, 0x1016) && frame.data[4] == 100;
+              const bool is_beat = frame.id == can_id::error_control + node_id_max;
+              if (is_it || is_beat) middle.cancel_later();
               if (is_it) {
                 middle.add_later(300ms, middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
               }
@@ -266,7 +269,7 @@ std::vector<Way> state_ways() {
               middle.add(middle.answers(), {0x60, 0x03, 0x10, 0, 0, 0, 0, 0});
               return false;
             }),
-      hears("an emergency comes though 1014h is invalid", {"emergency-07", "can-id-03"},
+      hears("an emergency comes though 1014h is invalid", {"emergency-07"},
             [](Middle& middle, Frame& frame) {
               if (is_download(middle, frame, 0x1014)) frame.data[7] &= 0x7F;
               return true;
@@ -275,8 +278,8 @@ std::vector<Way> state_ways() {
               [](Middle& middle, Frame& frame) {
                 if (is_upload(middle, frame, 0x1010) && frame.data[3] == 1) frame.data[4] |= 0x10U;
               }),
-      takes("it stores without the signature", {"store-02"}, 0x1010, always),
-      takes("it restores without the signature", {"store-03"}, 0x1011, always),
+      takes("it stores without the signature", {"store-02"}, 0x1010, is_written<1, 0x7361'7665>),
+      takes("it restores without the signature", {"store-03"}, 0x1011, is_written<1, 0x7361'7665>),
       takes("1005h takes what is restricted", {"can-id-01"}, 0x1005,
             [](const Middle& middle, const Frame&) { return !was_asked(middle, 0x4000'06BA); }),
       takes("1012h takes what is restricted", {"can-id-02"}, 0x1012, always),
@@ -393,7 +396,9 @@ std::vector<Way> sync_ways() {
       hears("SYNC go on without bit 30", {"sync-06"},
             [](Middle& middle, Frame& frame) {
               const bool was_producer = (middle.value(0x1005) & CobId::bit30) != 0;
-              const bool is_off = is_download(middle, frame, 0x1005) && (frame.data[7] & 0x40) == 0;
+              const bool is_set = is_download(middle, frame, 0x1005);
+              const bool is_off = is_set && (frame.data[7] & 0x40) == 0;
+              if (is_set) middle.cancel_later();
               if (is_off && was_producer) middle.add_later(30ms, sync_id, {});
               return true;
             }),

@@ -124,7 +124,7 @@ std::vector<Way> lss_ways() {
          const bool is_asked = is_answer(frame, 0x5E) && middle.count == 0;
          if (is_asked) frame.data[1] ^= 1U;
          if (is_answer(frame, 0x44)) middle.count = 0;
-         if (is_answer(frame, 0x11)) middle.count = 1;
+         if (is_answer(frame, 0x11) || is_answer(frame, 0x13)) middle.count = 1;
          return true;
        }},
       {"node-ID 0 is taken",

@@ -81,7 +81,12 @@ bool is_mandatory_somewhere(const Profile& profile, const ObjectInfo& object) {
 /// True if this row has something to judge, for any device: a case that cannot fail is none.
 bool applies(const ProfileRow& row, const Profile& profile, const ObjectInfo& object) {
   if (row.judge == judge_there) return is_mandatory_somewhere(profile, object);
-  if (row.judge == judge_access) return has_entry(object, has_access_rule);
+  if (row.judge == judge_access) {
+    const bool names_device = profile.device_type_of != nullptr;
+    return has_entry(object, [names_device](const EntryInfo& each) {
+      return has_access_rule(each) && (names_device || !has_access_by_device(each));
+    });
+  }
   if (row.judge == judge_range) return has_entry(object, has_range);
   if (row.judge == judge_default) return has_entry(object, has_default_after_reset);
   if (row.judge == judge_sentinel) {

@@ -97,15 +97,18 @@ bool has_certain_can_id(const PdoInfo& pdo) {
   return is_printed && !says("inferred") && !says("from one source");
 }
 
-/// For another part of the profile, which is not available, only event-driven transmission is
-/// required.
+/// True if another part of the profile, which is not available, prints the PDO.
+bool is_of_other_part(const PdoInfo& pdo) {
+  return pdo.clause.starts_with("CiA ");
+}
+
+/// For another part of the profile, only event-driven transmission is required.
 bool is_type_as_printed(const PdoInfo& pdo, std::uint32_t type) {
-  const bool is_of_other_part = pdo.clause.starts_with("CiA ");
   const auto is_of_events = [](std::uint32_t each) {
     return each <= 0xFF && is_event_driven(static_cast<std::uint8_t>(each));
   };
   return type == pdo.transmission_type ||
-         (is_of_other_part && is_of_events(type) && is_of_events(pdo.transmission_type));
+         (is_of_other_part(pdo) && is_of_events(type) && is_of_events(pdo.transmission_type));
 }
 
 /// A PDO of the device that is one of the profile's.
@@ -164,9 +167,11 @@ Verdict judge_message(Bench& bench, const Message& message, FindWrong find_wrong
   return passed();
 }
 
-/// True if the PDO waits for its COB-ID: bit 31 is set by default.
+/// True if the PDO waits for its COB-ID: bit 31 is printed as set by default. In another part of
+/// the profile, which is not available, bit 31 stands for a COB-ID that is not known.
 bool is_off_by_default(const PdoInfo& pdo) {
-  return (pdo.cob_id & CobId::bit31) != 0 && pdo.number != 0;
+  const bool is_printed = !is_of_other_part(pdo);
+  return is_printed && (pdo.cob_id & CobId::bit31) != 0 && pdo.number != 0;
 }
 
 /// A device that may have stored another COB-ID is not judged by one that is valid.
@@ -189,11 +194,16 @@ Verdict judge_off(Bench& bench, const Message& message) {
 }
 
 /// Multiplexed by the destination or by the source: sub-index 00h of its mapping (CiA 301,
-/// 7.2.2.5).
+/// 7.2.2.5). A PDO with another CAN-ID than the printed one is a different one of this number.
 Verdict judge_multiplexed(Bench& bench, const PdoInfo& pdo) {
   const std::uint16_t parameter = parameter_of(pdo, pdo.number);
   const auto cob_id = bench.number(parameter, 1);
   if (!cob_id) return not_applicable("the device has no such PDO");
+  const unsigned added = pdo.plus_node_id ? bench.node() : 0U;
+  const bool is_printed_id = (*cob_id & Frame::id_max) == (pdo.cob_id & Frame::id_max) + added;
+  if (CobId{*cob_id}.valid() && !is_printed_id) {
+    return not_applicable("the device has another PDO of this number");
+  }
   const auto mapping = static_cast<std::uint16_t>(parameter + to_mapping);
   const unsigned wanted = pdo.multiplexed == MpdoKind::destination ? destination_mpdo : source_mpdo;
   const auto is = bench.number(mapping, 0);

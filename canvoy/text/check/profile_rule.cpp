@@ -32,8 +32,7 @@ bool may_consume(const Claim& claim, const ObjectInfo& object, const EntryInfo& 
 
 /// True if the access depends on the device, and the device is unknown.
 bool is_access_open(const Claim& claim, const EntryInfo& entry) {
-  if (claim.as != nullptr) return false;
-  return entry.access_by_device || entry.consumer_access != Access::none;
+  return claim.as == nullptr && has_access_by_device(entry);
 }
 
 /// Verdict for the answer to a read, if it is wrong.
@@ -52,6 +51,10 @@ std::optional<Verdict> judge_reading(const std::string& place, const Reply& valu
 
 bool has_access_rule(const EntryInfo& entry) {
   return !entry.or_const && entry.type != DataType::domain;
+}
+
+bool has_access_by_device(const EntryInfo& entry) {
+  return entry.access_by_device || entry.consumer_access != Access::none;
 }
 
 bool Ruled::is_communication() const {

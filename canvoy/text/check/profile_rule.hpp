@@ -17,7 +17,7 @@ namespace canvoy::conformance {
 struct Ruled {
   const Profile* profile;    ///< that has the object
   const ObjectInfo* object;  ///< in the profile
-  std::uint16_t above = 0;  ///< for a profile with several blocks: offset from the first block
+  std::uint16_t above = 0;   ///< for a profile with several blocks: offset from the first block
 
   /// In the dictionary of the device.
   std::uint16_t index() const { return static_cast<std::uint16_t>(object->index + above); }
@@ -53,6 +53,8 @@ bool has_range(const EntryInfo& entry);
 bool has_unknown_values(const EntryInfo& entry);
 /// True if the access of the entry is not the maker's choice.
 bool has_access_rule(const EntryInfo& entry);
+/// True if the access is that of the virtual device, which provides or consumes the entry.
+bool has_access_by_device(const EntryInfo& entry);
 
 // Judges of an object; each names the first violation.
 

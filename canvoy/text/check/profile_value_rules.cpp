@@ -48,6 +48,13 @@ const FieldInfo* find_reserved_field(const EntryInfo& entry, std::span<const std
   return nullptr;
 }
 
+/// True for a record of zeros in an entry that need not be there and has no printed default: the
+/// device has nothing there, such as input 2 of a panel with inputs 1 and 3 (CiA 417-4, 4.3.1).
+bool is_empty_place(const EntryInfo& entry, std::uint64_t raw) {
+  return raw == 0 && entry.category == Category::optional && entry.sub_first > 1 &&
+         !printed_default(entry);
+}
+
 /// A refusal because of the present state gives no information on the value.
 bool is_refusal_of_state(const Reply& reply) {
   return reply.has_aborted(AbortCode::local_control) ||
@@ -105,10 +112,18 @@ std::optional<std::int64_t> printed_default(const EntryInfo& entry) {
 }
 
 bool has_reserved_values(const FieldInfo& field) {
-  return field.value.limits.kind == Limits::Kind::absolute ||
-         std::ranges::any_of(field.value.names, [](const NamedValue& each) {
-           return each.meaning == Meaning::reserved;
-         });
+  const NumberRange all = range_of_type(field.bits, field.is_signed);
+  const auto is_unknown = [&](std::int64_t number) {
+    return all.contains(number) && !is_known(field.value, number, field.bits, field.is_signed);
+  };
+  const auto number_at = [&](std::int64_t named) {
+    return number_of(static_cast<std::uint64_t>(named), field.bits, field.is_signed);
+  };
+  const Limits& limits = field.value.limits;
+  if (is_unknown(limits.low - 1) || is_unknown(limits.high + 1)) return true;
+  return std::ranges::any_of(field.value.names, [&](const NamedValue& each) {
+    return is_unknown(number_at(each.first)) || is_unknown(number_at(each.last) + 1);
+  });
 }
 
 std::optional<std::int64_t> sentinel_of(const EntryInfo& entry) {
@@ -161,6 +176,7 @@ Verdict judge_fields(Bench& bench, const Ruled& ruled) {
     if (entry.fields.empty()) continue;
     const Reply reply = bench.read(index, entry.sub_first);
     if (!reply || reply.value.size() != byte_length(entry.type)) continue;
+    if (is_empty_place(entry, reply.number())) continue;
     ++tried;
     if (is_printed_default(entry, reply.number())) continue;
     const FieldInfo* const field = find_reserved_field(entry, reply.value);

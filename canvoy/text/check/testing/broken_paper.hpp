@@ -83,6 +83,13 @@ inline std::optional<std::int64_t> reserved_number(const EntryInfo& entry, const
           insert(static_cast<std::uint64_t>(row.initial), bits_of(field), each.last));
       if (reserved_field(entry, number) != nullptr && !is_printed(number)) return number;
     }
+    const Limits& limits = field.value.limits;
+    if (limits.kind != Limits::Kind::absolute) continue;
+    for (const std::int64_t each : {limits.low - 1, limits.high + 1}) {
+      const auto number = static_cast<std::int64_t>(
+          insert(static_cast<std::uint64_t>(row.initial), bits_of(field), each));
+      if (reserved_field(entry, number) != nullptr && !is_printed(number)) return number;
+    }
   }
   return std::nullopt;
 }
@@ -116,16 +123,15 @@ inline Changes other_types(const ObjectInfo& object, std::uint16_t index) {
   return changes;
 }
 
-/// Each entry with another access: what is read only is written, what is read is not.
+/// Each entry with another access: what is read only is written, and what is read is not.
 inline Changes other_accesses(const ObjectInfo& object, std::uint16_t index) {
   Changes changes;
   for (const EntryInfo& entry : object.entries()) {
-    changes.push_back([&entry, index](PaperRows& rows) {
-      EntryRow& row = row_at(rows, index, entry.sub_first);
-      const bool is_read = allows(row.access, Access::sdo_read);
-      const bool is_written = allows(row.access, Access::sdo_write);
-      row.access = is_read && is_written ? Access::wo : Access::rw;
-    });
+    for (const Access access : {Access::rw, Access::wo}) {
+      changes.push_back([&entry, index, access](PaperRows& rows) {
+        row_at(rows, index, entry.sub_first).access = access;
+      });
+    }
   }
   return changes;
 }
@@ -150,8 +156,11 @@ inline Changes without_sentinel(const ObjectInfo& object, std::uint16_t index) {
           number_of(static_cast<std::uint64_t>(*code), bits, is_signed(entry.type));
       const Limits& limits = entry.value.limits;
       const bool is_limited = limits.kind == Limits::Kind::absolute;
-      row.low = is_limited ? limits.low : number < 0 ? number + 1 : all.low;
-      row.high = is_limited ? limits.high : number < 0 ? all.high : number - 1;
+      row.low = is_limited ? limits.low : all.low;
+      row.high = is_limited ? limits.high : all.high;
+      const bool is_within = number >= row.low && number <= row.high;
+      if (is_within && number < 0) row.low = number + 1;
+      if (is_within && number >= 0) row.high = number - 1;
       row.traits = EntryTraits::limited;
     });
   }
@@ -162,6 +171,9 @@ inline Changes other_pdos(std::uint16_t parameter, std::string_view row) {
   const auto mapping = static_cast<std::uint16_t>(parameter + 0x200);
   if (row == "can-id" || row == "off") {
     return {[parameter](PaperRows& rows) {
+      // What is stored in a device may be its own choice.
+      rows.erase(object_index::store_parameters);
+      rows.erase(object_index::restore_parameters);
       EntryRow& cob_id = row_at(rows, parameter, 1);
       cob_id.initial = (cob_id.initial & 0x7FF) == 0x1A0 ? 0x1A1 : 0x1A0;
       cob_id.traits = EntryTraits::none;
@@ -171,7 +183,10 @@ inline Changes other_pdos(std::uint16_t parameter, std::string_view row) {
     return {[parameter](PaperRows& rows) { row_at(rows, parameter, 2).initial = 1; }};
   }
   if (row == "mpdo") {
-    return {[mapping](PaperRows& rows) { row_at(rows, mapping, 0).initial = 0; }};
+    return {[parameter, mapping](PaperRows& rows) {
+      row_at(rows, parameter, 1).initial &= ~std::int64_t{CobId::bit31};
+      row_at(rows, mapping, 0).initial = 0;
+    }};
   }
   // The error register behind its entries, or in the place of the last.
   return {[mapping](PaperRows& rows) {
@@ -212,6 +227,18 @@ inline Changes ways_to_break(const Profile& profile, std::string_view id) {
   if (name->row == "sentinel") return without_sentinel(*object, index);
   if (name->row == "default") return wrong_defaults(*object, index, other_number);
   return wrong_defaults(*object, index, reserved_number);
+}
+
+/// True if what breaks the rule of `id` breaks that of `other` by its nature as well: a reserved
+/// default is not the printed one, and a reserved transmission type neither.
+inline bool breaks_as_well(const Profile& profile, std::string_view id, std::string_view other) {
+  const auto name = parse_case(profile, id);
+  const auto name_of_other = parse_case(profile, other);
+  if (!name || !name_of_other || name->index != name_of_other->index) return false;
+  const bool is_about_value = name->row == "value" || name->row == "fields";
+  const bool is_printed = name_of_other->row == "default" || name_of_other->row == "type";
+  const bool is_of_pdo = name_of_other->object == nullptr;
+  return is_about_value && is_printed && is_of_pdo == (name_of_other->row == "type");
 }
 
 }  // namespace canvoy::conformance

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/formats/sheet/sheet_device.hpp"
 #include "canvoy/formats/sheet/sheet_export.hpp"
 #include "canvoy/profiles/cia301.hpp"
@@ -17,7 +18,9 @@ namespace canvoy::conformance {
 
 class CommunicationDevice : public NodeOnLine {
  public:
-  CommunicationDevice() : device_(sheet(), port(), NodeId{5}) { start(device_.node()); }
+  CommunicationDevice() : device_(sheet(), port(), NodeId{5}), client_(device_.node(), 0) {
+    start(device_.node());
+  }
 
   static const formats::DataSheet& sheet() {
     static const formats::DataSheet made = make_sheet();
@@ -80,6 +83,7 @@ class CommunicationDevice : public NodeOnLine {
   }
 
   formats::SheetDevice device_;
+  SdoClient client_;  ///< judges what is written to 1280h
 };
 
 }  // namespace canvoy::conformance

@@ -42,6 +42,7 @@ class Middle {
   void add_later(Duration delay, std::uint32_t id, std::initializer_list<std::uint8_t> bytes) {
     device_.add_later(delay, Frame::data_frame(id, bytes));
   }
+  void cancel_later() { device_.cancel_later(); }
   void repeat(const Frame& frame) { device_.add(frame); }
   /// The present value of an entry of the device; 0: it has none.
   std::uint64_t value(std::uint16_t index, std::uint8_t sub = 0) const {

@@ -54,6 +54,9 @@ class NodeOnLine {
   /// Like add(), after this time; of several, the earliest must be added first.
   void add_later(Duration delay, const Frame& frame) { later_.push_back({now_ + delay, frame}); }
 
+  /// Forgets what add_later() has added and is not yet due.
+  void cancel_later() { later_.clear(); }
+
   /// Filters frames from the device; false: the frame is lost.
   std::function<bool(Frame&)> from_device = [](Frame&) { return true; };
   std::function<bool(Frame&)> to_device = [](Frame&) { return true; };

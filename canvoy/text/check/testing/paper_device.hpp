@@ -112,7 +112,11 @@ class PaperDevice : public NodeOnLine {
     const DeviceObject* as = nullptr;
     if (object.index >= application_first && !profile_.virtual_devices.empty()) {
       as = device_ == nullptr ? nullptr : detail::find_device_object(*device_, object.index);
-      if (as == nullptr) return;
+      const bool is_of_any =
+          std::ranges::none_of(profile_.virtual_devices, [&object](const VirtualDeviceInfo& each) {
+            return detail::find_device_object(each, object.index) != nullptr;
+          });
+      if (as == nullptr && !is_of_any) return;
     }
     add(detail::part_of(object, object.index, as != nullptr ? *as : DeviceObject{}, {}));
   }
