@@ -180,7 +180,7 @@ Verdict judge_off(Bench& bench, const Message& message) {
   if (!find_present(bench, printed.info, printed.info.number)) {
     return not_applicable("the device has no such PDO");
   }
-  if (auto wrong = reset_node(bench)) return *wrong;
+  if (reset_node(bench)) return not_applicable(no_boot_up);
   const auto present = find_present(bench, printed.info, printed.info.number);
   if (!present || !is_the_one(printed, *present)) {
     return not_applicable("the device has another PDO of this number");

@@ -240,7 +240,7 @@ Verdict judge_default(Bench& bench, const Ruled& ruled) {
     return has_default_after_reset(each) && bench.has(index, each.sub_first);
   });
   if (!is_there) return not_applicable("it is not there");
-  if (auto wrong = reset_node(bench)) return *wrong;
+  if (reset_node(bench)) return not_applicable(no_boot_up);
   std::size_t tried = 0;
   for (const EntryInfo& entry : entries) {
     if (!has_default_after_reset(entry)) continue;

@@ -65,6 +65,9 @@ void send_heartbeat(Bench& bench);
 /// Resets the device, and waits for its boot-up message. Returns what is wrong if none comes within
 /// 5 s.
 std::optional<Verdict> reset_node(Bench& bench);
+/// Why a case that only needs a reset does not apply if reset_node() fails: the cases of NMT judge
+/// it.
+inline constexpr const char* no_boot_up = "no boot-up message comes behind a reset";
 
 /// Verdict for a failed write: `1017h is not written: abort ...`. An abort means that the case does
 /// not apply; silence and an answer to another request are failures.
