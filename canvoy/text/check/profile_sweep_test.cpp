@@ -33,8 +33,8 @@ Report try_profile(PaperDevice& device, const Profile& profile, std::string_view
 /// is beyond a range, or has a reserved bit in its error register.
 void break_on_line(PaperDevice& device, const CaseName& name) {
   device.from_device = [&device, name](Frame& frame) {
-    const bool is_answer = frame.id == can_id::sdo_response + device.node();
-    if (!is_answer || index_of(frame) != name.index) return true;
+    const std::uint32_t answers = can_id::sdo_response + device.node();
+    if (frame.id != answers || index_of(frame) != name.index) return true;
     for (const AbortCode code :
          {AbortCode::value_range, AbortCode::value_too_high, AbortCode::value_too_low}) {
       if (name.row == "range" && is_abort(frame, name.index, code)) say_written(frame);
