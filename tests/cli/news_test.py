@@ -168,7 +168,7 @@ class News(Listening):
 
     def test_frames_lost_between_a_network_and_a_real_bus_are_told(self):
         network = self.folder / "net.toml"
-        network.write_text(f'network = "charger"\nreal = "{BUS}"\n[battery]\nplayed = false\n')
+        network.write_text(f'network = "charger"\n[bus]\nreal = "{BUS}"\n[battery]\nplayed = false\n')
         program, errors, lines, end = self.begin("run", str(network), "--for", "1h", "--json")
         self.wait_until(lambda: lines, "it does not run")
         self.flood(program, errors)

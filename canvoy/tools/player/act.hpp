@@ -40,7 +40,7 @@ struct Act {
 /// What is written after `act` on the command line, for a help text.
 inline constexpr std::string_view act_forms =
     "visit:from=2:to=7@1min, read:bus=sim0:node=10:object=1018/04@1min, "
-    "write:bus=sim0:node=10:object=1017/00:bytes=F401@1min, "
+    "write:bus=sim0:node=5:object=1017:bytes=F401@1s, "
     "nmt:bus=sim0:node=0:command=start@1min";
 
 std::string act_text(const Act& act);
