@@ -131,8 +131,8 @@ class SdoFollower {
   /// Marks a message that no other message calls for. Not marked where listening started in the
   /// middle, or where only one side is heard.
   void expect(bool is_in_place);
-  /// True if a message is the last one again: an error at the end of a frame makes its sender repeat
-  /// what was received (ISO 11898-1).
+  /// True if a message is the last one again: an error at the end of a frame makes its sender
+  /// repeat what was received (ISO 11898-1).
   bool is_repeated(const sdo::Message& message) const { return heard_ == message; }
   void expect_zero(const sdo::Message& message, unsigned reserved_bits);
   void expect_toggle(const sdo::Message& message);

@@ -38,8 +38,7 @@ TEST(BusSweep, BeginsWhereItSays) {
       network.run_until(at);
       const BusTruth truth = network.vehicle().truth();
       const bool is_end = truth.place == 0 || truth.place + 1 == truth.route->stops.size();
-      const std::string_view is =
-          !truth.is_at_stop ? "between" : (is_end ? "terminal" : "stop");
+      const std::string_view is = !truth.is_at_stop ? "between" : (is_end ? "terminal" : "stop");
       EXPECT_EQ(is, place) << "seed " << seed << " at " << (at - Time{}).count();
     }
   }
