@@ -56,7 +56,7 @@ template <class Number>
   if (size != b.size()) return false;
   if (size >= 4 && size <= 8) return detail::same_ends<std::uint32_t>(a.data(), b.data(), size);
   if (size > 8 && size <= 16) return detail::same_ends<std::uint64_t>(a.data(), b.data(), size);
-  return std::memcmp(a.data(), b.data(), size) == 0;
+  return size == 0 || std::memcmp(a.data(), b.data(), size) == 0;
 }
 
 /// True for a blank or a tab.
