@@ -145,10 +145,12 @@ class MappedValue {
   // For an RPDO, see EntryHooks.
   void* context_ = nullptr;  ///< for a TPDO, the PDO
   decltype(EntryHooks::notify) notify_ = nullptr;
+  // NOLINTBEGIN(readability-identifier-naming): they are members of the class
   union {
     decltype(EntryHooks::ask) ask_ = nullptr;  ///< for an RPDO, see EntryHooks
     std::uintptr_t bucket_;  ///< for a TPDO, the first value with the hash equal to this position
   };
+  // NOLINTEND(readability-identifier-naming)
 };
 static_assert(is_small_machine || sizeof(void*) != 8 || sizeof(MappedValue) == 56,
               "some devices have thousands of mapped values");

@@ -149,6 +149,7 @@ consteval bool checks_values() {
 template <auto function, const auto&... places>
 inline constexpr AccessHandlers before_read = [] {
   using Reaction = detail::Reaction<function>;
+  // NOLINTNEXTLINE(misc-redundant-expression): their arguments differ
   static_assert(Must < Reaction::template takes<const Entry&> || Reaction::template takes<>,
                 wrong::HookFunction < detail::words_of_first<places...>(),
                 "takes the entry, or nothing", decltype(function) >> ::hold);
@@ -185,6 +186,7 @@ inline constexpr AccessHandlers before_write = [] {
 template <auto function, const auto&... places>
 inline constexpr AccessHandlers after_write = [] {
   using Reaction = detail::Reaction<function>;
+  // NOLINTNEXTLINE(misc-redundant-expression): their arguments differ
   static_assert(Must < Reaction::template takes<const Entry&, Source> ||
                     Reaction::template takes<const Entry&> || Reaction::template takes<Source> ||
                     Reaction::template takes<>,
