@@ -99,7 +99,9 @@ bool can_draw_all_of(std::uint16_t set) {
 bool can_draw_set(void* /*context*/, std::uint16_t set) {
   static const auto drawn = [] {
     std::array<bool, 16> all{};
-    for (std::uint16_t i = 0; i < all.size(); ++i) all[i] = can_draw_all_of(i);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i] = can_draw_all_of(static_cast<std::uint16_t>(i));
+    }
     return all;
   }();
   return set < drawn.size() && drawn[set];
