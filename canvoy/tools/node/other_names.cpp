@@ -306,7 +306,8 @@ bool use_verb_of_file(Words& words) {
     words.front() = is_world && !names_bus(words.back()) ? "run" : "device";
   } else if (name == "log" && count_places(words) == 2 && names_bus(first)) {
     words.front() = "record";
-  } else if (name == "log" && is_log_name(first)) {
+  } else if ((name == "log" && is_log_name(first)) ||
+             (name == "explain" && first.find('#') != std::string::npos)) {
     words.front() = "decode";
   } else if (is_one_of(name, {"filter", "grep"}) && count_places(words) == 2 &&
              (is_log_name(first) || is_log_name(words[2]))) {
@@ -317,8 +318,6 @@ bool use_verb_of_file(Words& words) {
     words = line({"decode", words[2], "--csv"}, behind(words, 3));
   } else if (name == "search" && words.size() == 2 && first.starts_with("0x")) {
     words.front() = "explain";
-  } else if (name == "explain" && first.find('#') != std::string::npos) {
-    words.front() = "decode";
   } else if (name == "eds" && is_sheet_name(first)) {
     words.insert(words.begin() + 1, "check");
   } else if (name == "eds" && is_one_of(first, {"info", "show", "validate", "lint", "verify"})) {

@@ -29,9 +29,9 @@ double busyness(Duration of_day) {
 
 }  // namespace
 
-Riders::Riders(const RiderOptions& options, std::uint64_t seed, std::vector<DoorUse> doors,
+Riders::Riders(RiderOptions options, std::uint64_t seed, std::vector<DoorUse> doors,
                RiderHands hands)
-    : options_(options),
+    : options_(std::move(options)),
       seed_(seed),
       random_(seed),
       uses_(std::move(doors)),

@@ -115,7 +115,7 @@ class Riders {
   static constexpr Duration seen_after = 15s;
 
   /// The same seed draws the same people, whatever the bus does.
-  Riders(const RiderOptions& options, std::uint64_t seed, std::vector<DoorUse> doors,
+  Riders(RiderOptions options, std::uint64_t seed, std::vector<DoorUse> doors,
          RiderHands hands = {});
 
   /// Draws the passengers of a journey. `zero` is the beginning of the day of service in the
