@@ -109,10 +109,18 @@ constexpr std::span<const DevicePlace> places_of(unsigned cars) {
   return {device_places.begin(), end};
 }
 static_assert(places_of(2).size() == 21 && places_of(4).size() == device_places.size());
-/// Car of a device; 1 for a node-ID that is none of them.
+/// Car of each device by its usual node-ID; 1 for a node-ID that is none of them.
+inline constexpr auto cars_of_devices = [] {
+  std::array<std::uint8_t, node_id_max + 1> cars{};
+  cars.fill(1);
+  for (const DevicePlace& place : device_places) {
+    cars.at(place.id) = static_cast<std::uint8_t>(place.car);
+  }
+  return cars;
+}();
+/// Car of a device; 1 for a node-ID that is none of them. It is asked for at each step of a world.
 constexpr unsigned car_of(NodeId id) {
-  const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
-  return place == device_places.end() ? 1 : place->car;
+  return id <= node_id_max ? cars_of_devices[id] : 1U;
 }
 /// Node-ID of the device that starts those of a car.
 constexpr NodeId master_in(unsigned car) {
