@@ -133,10 +133,6 @@ bool is_other_name(std::string_view word) {
   return std::ranges::find(other_names, word, &OtherName::name) != other_names.end();
 }
 
-std::string typed_line(const Words& words) {
-  return fmt::format("canvoy {}", fmt::join(words, " "));
-}
-
 /// The words behind the first one.
 Words behind(const Words& words, std::size_t count = 1) {
   return {words.begin() + static_cast<std::ptrdiff_t>(count), words.end()};
@@ -404,6 +400,10 @@ void use_own_name(Words& words) {
 }
 
 }  // namespace
+
+std::string typed_line(const Words& words) {
+  return fmt::format("canvoy {}", fmt::join(words, " "));
+}
 
 bool is_verb_name(std::string_view word) {
   return is_ask_verb(word) || std::ranges::find(verb_names, word) != verb_names.end();

@@ -26,6 +26,9 @@ bool is_sheet_name(std::string_view word);
 /// True for a file name of a log.
 bool is_log_name(std::string_view word);
 
+/// A line as one types it: the words behind `canvoy`.
+std::string typed_line(const std::vector<std::string>& words);
+
 /// The verb goes to the front; bus and node behind it, also those of `--bus can0` before the verb.
 /// Throws UsageError for a bus alone.
 void use_bus_in_front(std::vector<std::string>& words);

@@ -86,15 +86,11 @@ bool is_can_id_mask(std::string_view word) {
          word.find(':', colon + 1) == std::string_view::npos;
 }
 
-std::string line_of(const Words& words) {
-  return fmt::format("canvoy {}", fmt::join(words, " "));
-}
-
 [[noreturn]] void refuse_without_bus(Words words, std::size_t at) {
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), "can0");
   order_words(words);
   throw UsageError(
-      fmt::format("which bus? {}; or export CANVOY_BUS=can0, and leave it out", line_of(words)));
+      fmt::format("which bus? {}; or export CANVOY_BUS=can0, and leave it out", typed_line(words)));
 }
 
 /// `--bus can0` of a verb whose bus is a word.
@@ -277,7 +273,7 @@ void refuse_another_line(const Words& words) {
     Words meant = words;
     meant[static_cast<std::size_t>(reset - words.begin())] = "reset-node";
     order_words(meant);
-    throw UsageError(fmt::format("reset what? {}, or reset-communication", line_of(meant)));
+    throw UsageError(fmt::format("reset what? {}, or reset-communication", typed_line(meant)));
   }
 }
 
