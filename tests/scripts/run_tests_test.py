@@ -84,6 +84,11 @@ class RunTests(unittest.TestCase):
             self.assertEqual(unsteady, [])
             self.assertEqual(run_tests.judge("release", cases, True)[1], ["release: bad\n    1\n    2 is not 3", "release: absent"])
 
+    def test_a_fixture_that_runs_with_what_failed_is_no_verdict(self):
+        cases, unsteady, _ = self.run_again(("vm.boots", "run"), ("bad", "fail"), ("absent", "fail"))
+        self.assertEqual(unsteady, [])
+        self.assertNotIn("vm.boots", [case.get("name") for case in cases])
+
     def test_where_nothing_has_failed_nothing_is_run_again(self):
         with unittest.mock.patch.object(run_tests, "run_ctest") as run_ctest:
             self.assertEqual(run_tests.run_again(None, None, [xml.fromstring('<testcase name="good" status="run"/>')])[1], [])

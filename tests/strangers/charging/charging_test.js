@@ -156,8 +156,8 @@ const IGNORED = [
   '60A#', '60A#40', '60A#401010', '605#40001000000000', '60A#R8', '605#R0', '0000060A#4000100000000000',
   // NMT commands that are none, are for others, or are cut off
   '000#', '000#02', '000#020A00', '000#030A', '000#0242', '00000000#020A', '000#R2',
-  // heartbeats and emergencies that are none, or of strangers
-  '70A#', '70A#7F7F', '70A#01', '70B#05', '08A#', '08A#1082', '08B#1082010000000000',
+  // a heartbeat and an emergency of strangers
+  '70B#05', '08B#1082010000000000',
   // COB-IDs of nobody, SYNC without a PDO that waits for it, and TIME that nobody wants
   '001#01', '123#', '333#0102030405060708', '6FF#FF', '7FE#00', '1FFFFFFF#0102030405060708', '080#',
   '100#', '100#010203040506',
@@ -177,6 +177,18 @@ async function ignoresWhatIsNotForIt(bus, throwIn) {
   const answers = bus.heard.slice(from).filter((frame) => !IGNORED.includes(frame.text) && !isLate(frame))
     .filter(({id}) => [BATTERY, CHARGER].some((node) => [0x580 + node, 0x80 + node].includes(id)));
   assert.deepStrictEqual(answers.map((frame) => frame.text), []);
+}
+
+// CiA 301, table of emergency error codes, 8150h: another node sends what only the battery sends, heartbeats and
+// emergencies. It tells so once, with the first CAN-ID in the manufacturer-specific field, and once that it has ended.
+async function tellsOfAStrangerOnItsCanIds(bus, throwIn) {
+  const from = bus.heard.length;
+  const emergency = (code) => ({id, data}) => id === 0x80 + BATTERY && data.length === 8 && data.readUInt16LE(0) === code;
+  const told = bus.until('emergency 8150 of the battery', emergency(0x8150));
+  for (const text of ['70A#', '70A#7F7F', '70A#01', '08A#', '08A#1082']) throwIn(text);
+  assert.strictEqual((await told).data.readUInt16LE(3), 0x70A);
+  await bus.until('its end', emergency(0));
+  assert.strictEqual(bus.heard.slice(from).filter(emergency(0x8150)).length, 1);
 }
 
 // CiA 301, 7.2.5.2: the battery, which has a SYNC consumer, tells of data that 1019h does not announce, until a right one.
@@ -277,6 +289,7 @@ async function main() {
     bus.throwIn(text);
   };
   await step('garbage: what is not for them is ignored', ignoresWhatIsNotForIt(bus, throwIn));
+  await step('garbage: a stranger on its CAN-IDs is told of', tellsOfAStrangerOnItsCanIds(bus, throwIn));
   await step('garbage: a SYNC with data is told of', tellsOfASyncWithData(bus, throwIn));
   await step('garbage: unknown SDO commands are refused', refusesUnknownCommands(bus, throwIn));
   await step('garbage: PDOs of wrong length are told of', tellsOfPdosOfWrongLength(bus, master, throwIn));
