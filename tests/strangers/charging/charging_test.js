@@ -297,8 +297,11 @@ async function main() {
   await step('both still work', stillWorks(bus, master));
   await step('node-canopen stops both', stops(bus, master));
 
+  // Of the stranger that has sent one heartbeat.
+  await step('the monitor tells that node 11 is silent', monitor.says(/node 11 /, {on: 'errors'}));
   await bus.mark(END);
-  for (const program of [charger, battery, monitor]) await program.end();
+  for (const program of [charger, battery]) await program.end();
+  await monitor.end('vcan0: node 11 (0Bh): no heartbeat any more\n');
   assert.match(charger.out, /the charge begins/);
   assert.match(battery.out, /operational/);
   await step('all programs have ended without complaint');

@@ -21,11 +21,11 @@ class Program {
     this.status = new Promise((resolve) => this.child.on('close', (code, signal) => resolve(code ?? signal)));
   }
 
-  async says(pattern, seconds = 90) {
+  async says(pattern, {seconds = 90, on = 'out'} = {}) {
     const giveUp = Date.now() + seconds * 1000;
-    while (!pattern.test(this.out)) {
+    while (!pattern.test(this[on])) {
       assert.ok(this.runs(), `${this.command.join(' ')} has ended: ${this.errors}`);
-      assert.ok(Date.now() < giveUp, `${this.command.join(' ')} did not say ${pattern}, but:\n${this.out}`);
+      assert.ok(Date.now() < giveUp, `${this.command.join(' ')} did not say ${pattern}, but:\n${this[on]}`);
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
   }
@@ -34,11 +34,11 @@ class Program {
     return this.child.exitCode === null && this.child.signalCode === null;
   }
 
-  // Asks it to end: it does so without an error, and has never complained.
-  async end() {
+  // Asks it to end: it does so without an error, and has never complained, or of this alone.
+  async end(complaint = '') {
     this.child.kill('SIGTERM');
     assert.strictEqual(await this.status, 0, `${this.command.join(' ')}: ${this.errors}`);
-    assert.strictEqual(this.errors, '');
+    assert.strictEqual(this.errors, complaint);
   }
 }
 
