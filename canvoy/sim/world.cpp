@@ -163,6 +163,8 @@ void World::advance_buses(Time limit) {
   for (const auto& bus : buses_) next_ns = std::min(next_ns, bus->next_event_ns());
   limit = std::min(limit, to_time(next_ns));
   check_invariant(limit >= now_);
+  // Gateways send on one bus as they receive on another: all have waited until then.
+  for (const auto& bus : buses_) bus->wait(limit);
   for (const auto& bus : buses_) bus->advance(limit);
   now_ = limit;
 }

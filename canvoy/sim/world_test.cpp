@@ -17,6 +17,7 @@ struct Probe {
   std::vector<std::string>* diary = nullptr;
   std::string name = "probe";
   bool is_stuck = false;
+  const Port* onward = nullptr;  ///< receives what this one receives
 
   struct Heard {
     Time at;
@@ -32,7 +33,10 @@ struct Probe {
     ++starts;
     next = period == Duration(0) ? never : now + period;
   }
-  void receive(const Frame& frame, Time now) { heard.push_back({now, frame.id}); }
+  void receive(const Frame& frame, Time now) {
+    heard.push_back({now, frame.id});
+    if (onward != nullptr) onward->send(onward->context, frame);
+  }
   void advance(Time now) {
     called.push_back(now);
     if (diary != nullptr) diary->push_back(name);
@@ -317,6 +321,29 @@ TEST_F(WorldTest, TwoBusesShareOneTimeAndNoFrames) {
   const Duration slow = second.heard[0].at - Time(10ms);
   const Duration fast = far_peer.heard[0].at - Time(10ms);
   EXPECT_NEAR(static_cast<double>(slow.count()), 2.0 * static_cast<double>(fast.count()), 1.0);
+}
+
+TEST_F(WorldTest, AGatewaySendsAfterItHasReceived) {
+  const BusIndex other_bus = sut.add_bus({.bit_rate = 250'000});
+  Probe far;
+  Probe far_peer;
+  for (Probe* probe : {&far, &far_peer}) {
+    const SlotIndex slot = sut.add_slot(other_bus, {.accept_all = true});
+    probe->port = sut.port(slot);
+    sut.occupy(slot, *probe);
+  }
+  second.onward = &far.port;
+  first.period = 100ms;
+  for (SlotIndex slot = 0; slot < 4; ++slot) sut.start(slot);
+  sut.run_until(Time(150ms));
+  while (sut.now() < Time(250ms)) sut.run_until(sut.now() + 7us);
+  ASSERT_EQ(second.heard.size(), 2U);
+  ASSERT_EQ(far_peer.heard.size(), 2U);
+  // An empty frame has more than 40 bits, of 4 us each.
+  const Duration after = far_peer.heard[0].at - second.heard[0].at;
+  EXPECT_GT(after, 40 * 4us);
+  EXPECT_LT(after, 60 * 4us);
+  EXPECT_EQ(far_peer.heard[1].at - second.heard[1].at, after);
 }
 
 }  // namespace

@@ -101,6 +101,9 @@ class SimulatedBus {
     if (next_event_ns() <= until_ns) return run(until_ns, false);
     now_ns_ = std::max(now_ns_, until_ns);
   }
+  /// Advances to `until`, or to the first event before it, which it leaves to advance(): what
+  /// another bus causes here until then begins no earlier.
+  void wait(Time until) { now_ns_ = std::max(now_ns_, std::min(to_ns(until), next_event_ns())); }
   /// Like advance(), but returns as soon as a listener was called; returns the time that is
   /// reached.
   Time step(Time until);

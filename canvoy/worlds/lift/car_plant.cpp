@@ -206,9 +206,7 @@ MotionState CarPlant::motion(Time time) const {
 void CarPlant::settle() {
   const Time time = now();
   const MotionState at = motion(time);
-  const double t = in_seconds(time - settled_at_);
-  energy_in_ += design_.standby_w * t;
-  count(state_, at);
+  sums_ = sums_at(time, at);
   if (kind_ == Motion::following) {
     // The encoder measures the way of the motor; the ropes have slipped by a part of it.
     const double slips = faults_.slip / (1 - faults_.slip);
@@ -231,21 +229,24 @@ void CarPlant::strike_buffers() {
   acceleration_ = 0;
 }
 
-/// Counts the energy that the motor has given or taken on the way: kinetic, potential and lost to
-/// friction.
-void CarPlant::count(const MotionState& from, const MotionState& to) {
-  const double way = std::abs(to.position - from.position);
-  way_ += way;
-  if (kind_ != Motion::following) return;
+/// With the energy that the motor gives or takes from the settled state to `at`: kinetic, potential
+/// and lost to friction.
+CarPlant::Sums CarPlant::sums_at(Time time, const MotionState& at) const {
+  Sums sums = sums_;
+  sums.energy_in_joule += design_.standby_w * in_seconds(time - settled_at_);
+  const double way = std::abs(at.position - state_.position);
+  sums.way_m += way;
+  if (kind_ != Motion::following) return sums;
   const double kinetic =
-      mass_kg() / 2 * (to.velocity * to.velocity - from.velocity * from.velocity);
-  const double potential = potential_joule(to.position) - potential_joule(from.position);
+      mass_kg() / 2 * (at.velocity * at.velocity - state_.velocity * state_.velocity);
+  const double potential = potential_joule(at.position) - potential_joule(state_.position);
   const double work = kinetic + potential + design_.friction_n * way;
   if (work >= 0) {
-    energy_in_ += work / design_.motor_efficiency;
+    sums.energy_in_joule += work / design_.motor_efficiency;
   } else {
-    energy_out_ -= work * design_.regeneration_efficiency;
+    sums.energy_out_joule -= work * design_.regeneration_efficiency;
   }
+  return sums;
 }
 
 double CarPlant::mass_kg() const {
@@ -299,19 +300,29 @@ PositionReadings CarPlant::sense_position(unsigned) {
 
 CarPlant::Truth CarPlant::truth() {
   settle();
+  return truth_of(state_, sums_);
+}
+
+CarPlant::Truth CarPlant::look() const {
+  const Time time = now();
+  const MotionState at = motion(time);
+  return truth_of(at, sums_at(time, at));
+}
+
+CarPlant::Truth CarPlant::truth_of(const MotionState& at, const Sums& sums) const {
   return {
-      .position_m = state_.position - stretch_m(),
-      .velocity_m_s = state_.velocity,
-      .acceleration_m_s2 = state_.acceleration,
+      .position_m = at.position - stretch_m(),
+      .velocity_m_s = at.velocity,
+      .acceleration_m_s2 = at.acceleration,
       .brake_is_closed = (!brake_released_ || is_cut_ || faults_.brake_is_stuck) && crank_m_s_ == 0,
       .is_cut = is_cut_ && !elsewhere_,
       .is_cranked = crank_m_s_ != 0,
       .gear_is_caught = gear_is_caught_,
       .brake_slips = brake_slips(),
       .buffer_strikes = buffer_strikes_,
-      .energy_in_joule = energy_in_,
-      .energy_out_joule = energy_out_,
-      .way_m = way_};
+      .energy_in_joule = sums.energy_in_joule,
+      .energy_out_joule = sums.energy_out_joule,
+      .way_m = sums.way_m};
 }
 
 }  // namespace canvoy::lift

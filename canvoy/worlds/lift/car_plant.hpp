@@ -128,6 +128,8 @@ class CarPlant {
 
   /// True state at present.
   Truth truth();
+  /// The same, for those who only look: the motion is the same as without them, to the last bit.
+  Truth look() const;
   /// Sets the function that is called when the motion of the car changes.
   void on_change(Callback<void()> changed) { changed_ = changed; }
 
@@ -149,8 +151,15 @@ class CarPlant {
   double potential_joule(double position) const;
   double mass_kg() const;
   double stretch_m() const { return load_kg_ * design_.stretch_um_per_kg * 1e-6; }
+  /// What has come together since the start.
+  struct Sums {
+    double energy_in_joule = 0;
+    double energy_out_joule = 0;
+    double way_m = 0;
+  };
   void settle();
-  void count(const cia417::MotionState& from, const cia417::MotionState& to);
+  Sums sums_at(Time time, const cia417::MotionState& at) const;
+  Truth truth_of(const cia417::MotionState& at, const Sums& sums) const;
   void strike_buffers();
   void choose_motion();
   bool is_led() const;
@@ -179,9 +188,7 @@ class CarPlant {
   double frozen_drive_m_ = 0;
   double frozen_position_m_ = 0;
   unsigned buffer_strikes_ = 0;
-  double energy_in_ = 0;
-  double energy_out_ = 0;
-  double way_ = 0;
+  Sums sums_;
 };
 
 }  // namespace canvoy::lift

@@ -85,6 +85,25 @@ TEST_F(CarPlantAlone, LosesNothingByAClockThatGoesOnWhileItIsRead) {
   EXPECT_NEAR(hasty.truth().position_m, 14, 1e-9);
 }
 
+TEST_F(CarPlantAlone, MovesAlikeWhetherLookedAtOrNot) {
+  CarPlant alone{design, callback<&CarPlantAlone::read_clock>(*this)};
+  for (CarPlant* each : {&plant, &alone}) {
+    each->set_faults({.slip = 0.1});
+    drive = each->drive_hardware();
+    run_up();
+    now = Time{};
+  }
+  for (int i = 1; i <= 777; ++i) {
+    now = Time{} + i * 1234us;
+    // 1 m/s2, of which the ropes lose a tenth.
+    const double t = i * 0.001234;
+    EXPECT_NEAR(plant.look().position_m, 0.9 * t * t / 2, 1e-9);
+    EXPECT_NEAR(plant.look().way_m, 0.9 * t * t / 2, 1e-9);
+  }
+  EXPECT_EQ(plant.truth().position_m, alone.truth().position_m);
+  EXPECT_EQ(plant.truth().energy_in_joule, alone.truth().energy_in_joule);
+}
+
 TEST_F(CarPlantAlone, IsStoppedByItsBrake) {
   plant.set_load(500);
   run_up();

@@ -375,7 +375,7 @@ CarView LiftShaft::view(Time now) const {
 
 LiftSnapshot LiftShaft::snapshot(Time now) const {
   Parts& parts = *parts_;
-  const CarPlant::Truth car = parts.car.plant().truth();
+  const CarPlant::Truth car = parts.car.plant().look();
   LiftSnapshot view{.position_m = car.position_m,
                     .speed_m_s = car.velocity_m_s,
                     .mode = parts.mode(),
