@@ -98,15 +98,4 @@ constexpr auto configuration() {
   return parts;
 }
 
-/// Further objects for a configuration manager in which tools store DCFs and EDS: 1F20h, 1F21h,
-/// 1F23h and 1F24h.
-constexpr auto stored_configuration() {
-  DeviceDescription<4> parts;
-  parts.add(store_dcf_object);
-  parts.add(dcf_format_object);
-  parts.add(slave_eds_object);
-  parts.add(slave_eds_format_object);
-  return parts;
-}
-
 }  // namespace canvoy::cia302
