@@ -104,8 +104,6 @@ class Charger {
   double ampere_hours_total() const { return ampere_hours_total_; }
   /// Counted like ampere_hours_total(), in watt-hours.
   double energy_total_watt_hours() const { return energy_total_; }
-  /// Number of requests that the search for batteries has sent.
-  std::uint32_t scan_requests() const { return scan_.requests(); }
 
  private:
   void reset(ResetScope scope);

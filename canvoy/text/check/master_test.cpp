@@ -3,12 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <vector>
-
 #include "canvoy/canopen/manager/configuration_manager.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
+#include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/model/layout.hpp"
@@ -22,43 +19,6 @@ constexpr auto master_device =
              cia301::heartbeat_consumers(1), cia301::heartbeat_producer(0),
              cia301::error_behavior(), cia302::nmt_master(), cia302::configuration());
 constexpr auto master_layout = lay_out_device<master_device>();
-
-/// Contents of 1F22h in memory, as tools store them.
-class ConciseDcfs {
- public:
-  explicit ConciseDcfs(Node& node) {
-    domain_.open_read = decltype(Domain::open_read)::to<&ConciseDcfs::open_read>(*this);
-    domain_.read = decltype(Domain::read)::to<&ConciseDcfs::read>(*this);
-    domain_.open_write = decltype(Domain::open_write)::to<&ConciseDcfs::open_write>(*this);
-    domain_.write = decltype(Domain::write)::to<&ConciseDcfs::write>(*this);
-    hook_.first = hook_.last = 0x1F22;
-    hook_.domain = &domain_;
-    node.dictionary().attach(hook_);
-  }
-
- private:
-  Result<std::uint32_t> open_read(const Entry& entry) {
-    const auto size = static_cast<std::uint32_t>(contents_[entry.sub].size());
-    return size == 0 ? Result<std::uint32_t>(AbortCode::no_data) : size;
-  }
-  Result<std::size_t> read(const Entry& entry, std::uint32_t offset,
-                           std::span<std::uint8_t> bytes) {
-    std::ranges::copy(std::span(contents_[entry.sub]).subspan(offset, bytes.size()), bytes.begin());
-    return bytes.size();
-  }
-  AbortCode open_write(const Entry& entry, std::uint32_t /*size*/) {
-    contents_[entry.sub].clear();
-    return AbortCode::none;
-  }
-  AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes) {
-    contents_[entry.sub].insert(contents_[entry.sub].end(), bytes.begin(), bytes.end());
-    return AbortCode::none;
-  }
-
-  std::map<NodeId, std::vector<std::uint8_t>> contents_;
-  Domain domain_;
-  Hook hook_;
-};
 
 struct MasterOnBench {
   MasterOnBench() {
@@ -77,7 +37,7 @@ struct MasterOnBench {
   ConfigurationManager::Worker workers[2] = {ConfigurationManager::Worker(master.node()),
                                              ConfigurationManager::Worker(master.node())};
   ConfigurationManager configurations{master.node(), workers};
-  ConciseDcfs stored{master.node()};
+  MemoryDomain stored{master.node(), 0x1F22};  ///< that of the one slave
 };
 
 TEST(Master, OfOursPasses) {

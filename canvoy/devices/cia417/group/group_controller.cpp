@@ -166,7 +166,6 @@ void GroupController::take_hall_call(const VirtualInput& call) {
                        .lifts = call.lifts};
   const DispatchAnswer answer = hall_.add(asked);
   const bool known = answer == DispatchAnswer::assigned || answer == DispatchAnswer::waits;
-  if (answer == DispatchAnswer::no_room) ++calls_without_room_;
   if (known) up_peak_.called(node_.now(), asked);
   refresh_shown();
   // A repeated press, or a refused call, is answered again.
@@ -189,7 +188,6 @@ void GroupController::take_destination(const VirtualInput& call) {
       .to_floor = call.function >= BasicFunction::standard_call_to_destination_floor};
   const auto answer = destinations_.add(asked);
   if (answer.answer == DispatchAnswer::assigned) return;  // reported when it was assigned
-  if (answer.answer == DispatchAnswer::no_room) ++calls_without_room_;
   acknowledge(asked, call.lifts, answer.answer == DispatchAnswer::waits);
 }
 

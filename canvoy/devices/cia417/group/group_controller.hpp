@@ -59,8 +59,6 @@ class GroupController {
   const HallDispatcher& hall_calls() const { return hall_; }
   /// Passengers with a destination, and their lifts.
   const DestinationDispatcher& destinations() const { return destinations_; }
-  /// Number of calls without memory. Panels were notified that they are not affirmed.
-  std::uint32_t calls_without_room() const { return calls_without_room_; }
 
  private:
   void reset(ResetScope scope);
@@ -109,7 +107,6 @@ class GroupController {
   LiftCalls told_;        ///< those that they have received
   LiftCalls were_on_;     ///< those that they have shown since the group started
   LiftCalls told_again_;  ///< those to send even if unchanged
-  std::uint32_t calls_without_room_ = 0;
   std::size_t resend_ = SIZE_MAX;  ///< the next assignment to repeat after the queue was full
   static const AccessHandlers hook_calls[];
   static const ServiceHandlers service_calls;

@@ -63,17 +63,6 @@ void LiftCalls::remove_all(CallKinds kinds) {
   }
 }
 
-void LiftCalls::remove_each(const LiftCalls& others) {
-  for (unsigned kind = 0; kind < call_kind_count; ++kind) {
-    for (unsigned priority = 0; priority < call_priority_count; ++priority) {
-      for (unsigned door = 0; door < doors_max; ++door) {
-        FloorSet& floors = sets_[kind][priority][door];
-        floors ^= floors & others.sets_[kind][priority][door];
-      }
-    }
-  }
-}
-
 void LiftCalls::promote_low() {
   for (auto& priorities : sets_) {
     Doors& low = priorities[static_cast<std::size_t>(CallPriority::low)];

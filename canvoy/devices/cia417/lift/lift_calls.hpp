@@ -62,8 +62,6 @@ class LiftCalls {
   DoorMask remove_at(std::uint8_t floor, CallKinds kinds);
   /// Removes all calls of these kinds.
   void remove_all(CallKinds kinds = all_calls);
-  /// Removes each call that the other set has.
-  void remove_each(const LiftCalls& others);
   /// Changes calls of low priority, which have waited long enough, to standard ones.
   void promote_low();
 

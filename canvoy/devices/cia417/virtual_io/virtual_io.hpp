@@ -43,10 +43,6 @@ constexpr std::uint8_t destination_door(unsigned door) {
 constexpr std::uint8_t output_door(unsigned door) {
   return source_door(door);
 }
-/// Bits of the column of buttons for door 1 to 4, in an output.
-constexpr std::uint8_t button_column(unsigned door) {
-  return destination_door(door);
-}
 /// The mask of doors, door 1 in bit 0, from the upper and from the lower half.
 constexpr std::uint8_t source_doors(std::uint8_t doors) {
   return static_cast<std::uint8_t>(doors >> 4);
@@ -155,7 +151,7 @@ struct VirtualOutput {
   std::uint8_t sub_function = 0;                 ///< depends on the function
   std::uint8_t lifts = 0;                        ///< see lift_bit()
   std::uint8_t floor = floor_of_car;             ///< 0: in the car
-  std::uint8_t doors = 0;                        ///< see output_door() and button_column()
+  std::uint8_t doors = 0;                        ///< see output_door(); low bits: buttons
   std::uint8_t data = 0;                         ///< see OutputData
 
   constexpr bool operator==(const VirtualOutput&) const = default;

@@ -67,9 +67,6 @@ class DriverIdentificationUnit {
   /// Reports whether the reader works.
   void reader_is(CardReader reader);
 
-  /// True while a driver is logged in.
-  bool is_logged_in() const { return is_logged_in_; }
-
  private:
   void reset(ResetScope scope);
   void clock_was_read(std::uint16_t index) { bus_clock_.told(index); }

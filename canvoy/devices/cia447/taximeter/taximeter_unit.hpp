@@ -167,8 +167,6 @@ class TaximeterUnit {
   const Tariff& tariff() const { return tariff_; }
   /// All that is kept.
   const TaximeterRecord& record() const { return record_; }
-  /// Pulses that were not counted, by reason.
-  const WheelPulses::Counters& wheel_counters() const { return wheel_.counters(); }
   /// Recorded events, with time and origin.
   const AuditLog& audit() const { return audit_; }
 

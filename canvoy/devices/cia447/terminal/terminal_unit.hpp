@@ -92,8 +92,6 @@ class TerminalUnit {
   unsigned holder(TerminalPart part) const { return locks_[number_of(part)].holder(); }
   /// What a display shows at present.
   DisplayContent content(TerminalDisplay display) const;
-  /// True while the buzzer sounds.
-  bool is_buzzing() const { return is_buzzing_; }
   /// True while a warning lamp is lit.
   bool is_warning(TerminalWarning warning) const {
     return warnings_[static_cast<unsigned>(warning) - 1];
