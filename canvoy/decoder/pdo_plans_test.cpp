@@ -4,7 +4,6 @@
 
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "canvoy/profiles/registry.hpp"
 

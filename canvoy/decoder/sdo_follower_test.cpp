@@ -6,7 +6,6 @@
 #include <string>
 
 #include "canvoy/can/frame_text.hpp"
-#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy::decoder::sdo_follower_test {
 namespace {

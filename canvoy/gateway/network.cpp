@@ -1,6 +1,5 @@
 #include "canvoy/gateway/network.hpp"
 
-#include <array>
 #include <cstdio>
 #include <utility>
 

@@ -3,13 +3,8 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cstdint>
 #include <cstdio>
-#include <optional>
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/gateway/base64.hpp"

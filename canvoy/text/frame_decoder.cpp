@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
 #include "canvoy/canopen/protocol/nmt.hpp"
 #include "canvoy/text/car_text.hpp"

@@ -8,7 +8,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <string>
 #include <type_traits>
 
 namespace canvoy::text::json_line_test {

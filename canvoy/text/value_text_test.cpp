@@ -4,11 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "canvoy/canopen/protocol/little_endian.hpp"

@@ -5,7 +5,6 @@
 #include "canvoy/canopen/protocol/error.hpp"
 #include "canvoy/devices/cia401/digital_event.hpp"
 #include "canvoy/devices/cia401/scaling.hpp"
-#include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia401 {

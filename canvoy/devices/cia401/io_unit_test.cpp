@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "canvoy/devices/cia401/io_bench_test.hpp"
 #include "canvoy/profiles/cia852/inputs.hpp"
 

@@ -1,6 +1,5 @@
 #include "canvoy/devices/cia419/battery_link.hpp"
 
-#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy::cia419 {
 

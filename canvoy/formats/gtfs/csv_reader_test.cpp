@@ -5,10 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace canvoy::gtfs::csv_reader_test {
 namespace {

@@ -4,13 +4,9 @@
 #include <zip.h>
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace canvoy::gtfs::feed_archive_test {
 namespace {

@@ -5,8 +5,6 @@
 #include <chrono>
 #include <functional>
 #include <map>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace canvoy::gtfs::feed_reader_test {

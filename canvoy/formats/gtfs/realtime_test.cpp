@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 // Another program reads the whole message in tests/strangers/gtfs. This test has bytes, assembled
 // by hand from the numbers of gtfs-realtime.proto and the encoding of Protocol Buffers.
 namespace canvoy::gtfs::realtime_test {

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <optional>
-#include <string_view>
 
 namespace canvoy::gtfs::table_test {
 namespace {

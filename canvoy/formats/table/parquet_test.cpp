@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <string>
 
 #include "canvoy/formats/table/thrift.hpp"
 #include "canvoy/formats/trace/inflater.hpp"

@@ -1,11 +1,9 @@
 #include "canvoy/formats/trace/trace_fields.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 
-#include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <string>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <string>
 #include <vector>
 
 #include "canvoy/can/host/temporary_file_test.hpp"

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/formats/eds/eds_reader.hpp"
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/sheet/sheet_diff.hpp"
 

@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace canvoy::number_rules_test {
 namespace {

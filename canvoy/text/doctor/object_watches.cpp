@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/protocol/little_endian.hpp"

@@ -1,7 +1,6 @@
 #include "canvoy/devices/cia417/drive/drive_parameters.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "canvoy/profiles/cia417/drive_handles.hpp"

@@ -1,7 +1,5 @@
 #include "canvoy/devices/cia417/kit/lift_number.hpp"
 
-#include <bit>
-
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/pdo/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"

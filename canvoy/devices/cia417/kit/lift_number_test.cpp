@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"

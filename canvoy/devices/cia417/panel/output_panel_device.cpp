@@ -3,7 +3,6 @@
 #include "canvoy/devices/cia417/kit/kinds.hpp"
 #include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/panel/landing_site.hpp"
-#include "canvoy/devices/cia417/panel/panel_description.hpp"
 
 namespace canvoy::cia417 {
 

@@ -1,6 +1,5 @@
 #include "canvoy/devices/cia417/virtual_io/virtual_mpdo.hpp"
 
-#include "canvoy/profiles/cia417/inputs.hpp"
 
 namespace canvoy::cia417 {
 
