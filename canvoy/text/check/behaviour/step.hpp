@@ -2,8 +2,8 @@
 // answers, step by step. behaviour_cases.hpp has the tables; stage.hpp plays them.
 //
 //     constexpr BehaviourRow rows[] = {
-//         {"401-outputs-01", "CiA 401, 6200h", "an output takes what is written",
-//          {put({&write_output_8_bit_object, 1}, 5), is({&write_output_8_bit_object, 1}, 5)}}};
+//         row("401-outputs-01", "CiA 401, 6200h", "an output takes what is written",
+//             {put({&write_output_8_bit_object, 1}, 5), is({&write_output_8_bit_object, 1}, 5)})};
 #pragma once
 
 #include <array>
@@ -162,6 +162,11 @@ struct BehaviourRow {
   /// Further entries that the device must have; without an object: none.
   std::array<Place, 2> needs = {};
 };
+/// A row in its columns.
+constexpr BehaviourRow row(std::string_view id, std::string_view clause, std::string_view title,
+                           const BehaviourSteps& steps, const std::array<Place, 2>& needs = {}) {
+  return {.id = id, .clause = clause, .title = title, .steps = steps, .needs = needs};
+}
 
 /// True if a case writes what may move a machine; it then needs --moves.
 bool moves(const BehaviourRow& row);
