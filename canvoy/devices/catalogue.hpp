@@ -30,8 +30,6 @@ class CatalogueDevice {
         memory_(std::make_unique<std::byte[]>(form_.bytes)),
         made_(form_.make(memory_.get(), port, node_id, environment)) {}
   ~CatalogueDevice() { form_.end(memory_.get()); }
-  CatalogueDevice(const CatalogueDevice&) = delete;
-  CatalogueDevice& operator=(const CatalogueDevice&) = delete;
 
   /// The node of the device: frames and points in time are handed to it.
   Node& node() { return *made_.node; }

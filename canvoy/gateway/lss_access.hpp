@@ -17,8 +17,6 @@ class LssAccess {
  public:
   /// Makes the service; `node` must outlive it and needs a route.
   explicit LssAccess(Node& node) : node_(node), master_(node) {}
-  LssAccess(const LssAccess&) = delete;
-  LssAccess& operator=(const LssAccess&) = delete;
 
   /// Begins a command. False if it is not a command of LSS. Commands are served in the order in
   /// which they begin.

@@ -38,8 +38,6 @@ class Supervision {
 
   /// Makes the service; `device` must outlive it.
   Supervision(GatewayDevice& device, Report report);
-  Supervision(const Supervision&) = delete;
-  Supervision& operator=(const Supervision&) = delete;
 
   /// Starts monitoring of a heartbeat; a time of zero ends it.
   Answer watch_heartbeat(std::uint32_t node, Duration time);

@@ -22,8 +22,6 @@ class PdoAccess {
 
   /// Makes the service for network `net`; `device` must outlive it.
   PdoAccess(GatewayDevice& device, std::uint16_t net, Received received);
-  PdoAccess(const PdoAccess&) = delete;
-  PdoAccess& operator=(const PdoAccess&) = delete;
   ~PdoAccess();
 
   /// Sets up a PDO, or switches it off (bit 31 of the COB-ID set, or nothing mapped). Errors:

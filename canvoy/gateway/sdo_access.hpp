@@ -18,8 +18,6 @@ class SdoAccess {
   /// Makes the service; `node` must outlive it. `version` is that of the values in answers.
   SdoAccess(Node& node, Version version)
       : node_(node), version_(version), workers_(node), queue_(node, workers_.all()) {}
-  SdoAccess(const SdoAccess&) = delete;
-  SdoAccess& operator=(const SdoAccess&) = delete;
 
   /// Uses block transfer for long values if the server supports it; otherwise segmented transfer.
   void use_blocks(bool use) { transfer_ = use ? SdoTransfer::automatic : SdoTransfer::segmented; }

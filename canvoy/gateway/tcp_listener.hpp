@@ -34,8 +34,6 @@ class TcpListener {
   static host::Result<std::unique_ptr<TcpListener>> create(host::EventLoop& loop,
                                                            std::string_view address);
   ~TcpListener();
-  TcpListener(const TcpListener&) = delete;
-  TcpListener& operator=(const TcpListener&) = delete;
 
   /// Address that it listens on, with the port that was free.
   const std::string& address() const { return address_; }

@@ -46,8 +46,6 @@ class TcpServer {
                                                          std::string_view address,
                                                          const TcpLimits& limits = {});
   ~TcpServer();
-  TcpServer(const TcpServer&) = delete;
-  TcpServer& operator=(const TcpServer&) = delete;
 
   /// Address that it listens on, with the port that was free.
   const std::string& address() const { return listener_->address(); }

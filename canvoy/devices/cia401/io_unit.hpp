@@ -58,8 +58,6 @@ class DigitalInputs {
   /// All arguments must outlive this. `groups`: one for each element of 6000h, which may have gaps.
   DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Sense sense,
                 const DigitalInputSettings& settings);
-  DigitalInputs(const DigitalInputs&) = delete;
-  DigitalInputs& operator=(const DigitalInputs&) = delete;
 
   /// Reads the inputs without an event: after a reset.
   void begin();
@@ -158,8 +156,6 @@ class IoUnit {
   /// Everything to which `hardware` and `memory` refer must outlive this.
   IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
          const IoSettings& settings);
-  IoUnit(const IoUnit&) = delete;
-  IoUnit& operator=(const IoUnit&) = delete;
 
   /// Checks the inputs at the next call of the node.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }

@@ -29,8 +29,6 @@ class Battery {
  public:
   /// All arguments must outlive the battery. `hardware` is read every sensing_period.
   Battery(Node& node, const BatteryHardware& hardware, const BatterySettings& settings);
-  Battery(const Battery&) = delete;
-  Battery& operator=(const Battery&) = delete;
 
   /// True if the charger has reported that it is ready to deliver.
   bool charger_ready() const { return charger_status_.is(Readiness::ready); }

@@ -83,8 +83,6 @@ class Charger {
   /// All arguments must outlive the charger. `hardware` is read and driven every control_period.
   Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
           const ChargerSettings& settings);
-  Charger(const Charger&) = delete;
-  Charger& operator=(const Charger&) = delete;
 
   /// Sets the callback for each event; it is called in a call of the node.
   void on_event(Callback<void(Event)> event) { event_ = event; }

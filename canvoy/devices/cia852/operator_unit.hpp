@@ -76,8 +76,6 @@ class OperatorUnit {
   /// Everything to which `hardware` and `memory` refer must outlive this.
   OperatorUnit(Node& node, const OperatorMemory& memory, const OperatorHardware& hardware,
                const OperatorSettings& settings);
-  OperatorUnit(const OperatorUnit&) = delete;
-  OperatorUnit& operator=(const OperatorUnit&) = delete;
 
   /// Reads all inputs at the next call of the node.
   void hardware_changed();

@@ -37,8 +37,6 @@ class TwoChannelAxes {
   /// What both refer to must outlive this. Both have the same direction and scale.
   TwoChannelAxes(Sense first, Sense second, const TwoChannelSettings& settings)
       : first_(first), second_(second), settings_(settings) {}
-  TwoChannelAxes(const TwoChannelAxes&) = delete;
-  TwoChannelAxes& operator=(const TwoChannelAxes&) = delete;
 
   /// For OperatorHardware::joystick_axis.
   Sense checked() { return Sense::to<&TwoChannelAxes::look>(*this); }

@@ -44,8 +44,6 @@ class GapWatch {
   /// `ask` is called with a node-ID, or `everyone`, in NMT state operational. `rhythms` are those
   /// of node-IDs 1 and up; without them, heartbeats are no signs. Both must outlive this.
   GapWatch(Node& node, Callback<void(NodeId)> ask, std::span<Rhythm> rhythms = {});
-  GapWatch(const GapWatch&) = delete;
-  GapWatch& operator=(const GapWatch&) = delete;
 
   /// Takes an error control message of a node.
   void heard(NodeId id, RemoteState state);

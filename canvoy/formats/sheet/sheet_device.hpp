@@ -99,8 +99,6 @@ class SheetDevice {
   /// Like the above, with default options.
   SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id)
       : SheetDevice(sheet, port, node_id, Options()) {}
-  SheetDevice(const SheetDevice&) = delete;
-  SheetDevice& operator=(const SheetDevice&) = delete;
 
   /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }

@@ -21,8 +21,6 @@ class MemoryStorage {
  public:
   /// `node` must outlive this.
   explicit MemoryStorage(Node& node);
-  MemoryStorage(const MemoryStorage&) = delete;
-  MemoryStorage& operator=(const MemoryStorage&) = delete;
 
  private:
   FlashState erase(std::uint32_t address);

@@ -46,8 +46,6 @@ class Inflater {
 class Deflater {
  public:
   Deflater();
-  Deflater(const Deflater&) = delete;
-  Deflater& operator=(const Deflater&) = delete;
   ~Deflater();
 
   /// Compressed form of `bytes`, valid until the next call; a reader can decompress all bytes given

@@ -26,8 +26,6 @@ class KeyboardUnit {
       : device_(device), hardware_(hardware), timer_(callback<&KeyboardUnit::look>(*this)) {
     device.on_reset = callback<&KeyboardUnit::reset>(*this);
   }
-  KeyboardUnit(const KeyboardUnit&) = delete;
-  KeyboardUnit& operator=(const KeyboardUnit&) = delete;
 
  private:
   void reset(ResetScope /*scope*/) { look(device_.node().now()); }

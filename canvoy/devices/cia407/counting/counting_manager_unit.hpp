@@ -32,8 +32,6 @@ class CountingManagerUnit {
   /// Makes the unit; `device` must outlive it.
   CountingManagerUnit(VirtualDevice& device, const NoHardware& hardware,
                       const CountingManagerSettings& settings);
-  CountingManagerUnit(const CountingManagerUnit&) = delete;
-  CountingManagerUnit& operator=(const CountingManagerUnit&) = delete;
 
   /// Counts of the day.
   struct Counts {

@@ -28,8 +28,6 @@ class PassengerCounterUnit {
   /// Makes the unit; `device` must outlive it.
   PassengerCounterUnit(VirtualDevice& device, const NoHardware& hardware,
                        const PassengerCounterSettings& settings);
-  PassengerCounterUnit(const PassengerCounterUnit&) = delete;
-  PassengerCounterUnit& operator=(const PassengerCounterUnit&) = delete;
 
   // Counts people who pass the sensors; at a closed door they are ignored. Call it from the node's
   // callbacks, or after node.advance().

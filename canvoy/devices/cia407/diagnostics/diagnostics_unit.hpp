@@ -39,8 +39,6 @@ class DiagnosticsUnit {
   /// Makes the unit; `device` must outlive it.
   DiagnosticsUnit(VirtualDevice& device, const NoHardware& hardware,
                   const DiagnosticsSettings& settings);
-  DiagnosticsUnit(const DiagnosticsUnit&) = delete;
-  DiagnosticsUnit& operator=(const DiagnosticsUnit&) = delete;
 
   /// Reports an error like a write to 6740h:01h.
   void report(std::uint16_t device_code, std::uint16_t error_code);

@@ -79,8 +79,6 @@ class VehicleGatewayUnit {
   /// Everything to which `hardware` refers must outlive this.
   VehicleGatewayUnit(VirtualDevice& device, const VehicleGatewayHardware& hardware,
                      const VehicleGatewaySettings& settings);
-  VehicleGatewayUnit(const VehicleGatewayUnit&) = delete;
-  VehicleGatewayUnit& operator=(const VehicleGatewayUnit&) = delete;
 
   /// Checks the vehicle at the next call of the node.
   void hardware_changed() { device_.node().timers().arm(timer_, device_.node().now()); }

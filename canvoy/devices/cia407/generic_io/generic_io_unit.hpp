@@ -40,8 +40,6 @@ class GenericIoUnit {
     device.on_reset = callback<&GenericIoUnit::reset>(*this);
     device.react(*this, reactions());
   }
-  GenericIoUnit(const GenericIoUnit&) = delete;
-  GenericIoUnit& operator=(const GenericIoUnit&) = delete;
 
  private:
   static std::span<const AccessHandlers> reactions();

@@ -36,8 +36,6 @@ class BusDevice : public FoundValues<BusDevice> {
   BusDevice(std::span<const BusUnit* const> units, const Port& port, NodeId node_id,
             const Environment& environment);
   ~BusDevice() { units_.end(); }
-  BusDevice(const BusDevice&) = delete;
-  BusDevice& operator=(const BusDevice&) = delete;
 
   /// See bus_parts(): in the usual segment.
   static std::vector<Part> parts_of(std::span<const BusUnit* const> units) {

@@ -21,8 +21,6 @@ class ErrorWatch {
         codes_(codes),
         has_error_(has_error),
         timer_(callback<&ErrorWatch::look>(*this)) {}
-  ErrorWatch(const ErrorWatch&) = delete;
-  ErrorWatch& operator=(const ErrorWatch&) = delete;
 
   /// Checks all errors, if it is time, and reports what has changed.
   void look(Time now) {

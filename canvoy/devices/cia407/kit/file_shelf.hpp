@@ -27,8 +27,6 @@ class FileShelf {
 
   /// Attaches to an object of the device, for each file one sub-index.
   FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory);
-  FileShelf(const FileShelf&) = delete;
-  FileShelf& operator=(const FileShelf&) = delete;
 
   /// Empty if there is none. Valid until it is written.
   std::span<const std::uint8_t> file(unsigned sub) const;

@@ -23,8 +23,6 @@ class NetworkStart {
 
   /// It must outlive the node.
   explicit NetworkStart(Node& node);
-  NetworkStart(const NetworkStart&) = delete;
-  NetworkStart& operator=(const NetworkStart&) = delete;
 
  private:
   void reset(ResetScope scope);

@@ -46,8 +46,6 @@ class VirtualDevices {
 
   /// Attaches to the node, which must outlive this.
   explicit VirtualDevices(Node& node);
-  VirtualDevices(const VirtualDevices&) = delete;
-  VirtualDevices& operator=(const VirtualDevices&) = delete;
 
   /// The node of the physical device.
   Node& node() { return node_; }

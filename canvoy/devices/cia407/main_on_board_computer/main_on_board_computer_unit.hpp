@@ -60,8 +60,6 @@ class MainOnBoardComputerUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   MainOnBoardComputerUnit(VirtualDevice& device, const MainOnBoardComputerHardware& hardware,
                           const MainOnBoardComputerSettings& settings);
-  MainOnBoardComputerUnit(const MainOnBoardComputerUnit&) = delete;
-  MainOnBoardComputerUnit& operator=(const MainOnBoardComputerUnit&) = delete;
 
   /// Sets the position. The old zone and segment become the previous ones when others are entered
   /// (table 1).

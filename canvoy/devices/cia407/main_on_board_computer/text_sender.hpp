@@ -23,8 +23,6 @@ class TextSender {
 
   /// Makes a sender; `node` must outlive it and needs routes for its SDO clients.
   explicit TextSender(Node& node);
-  TextSender(const TextSender&) = delete;
-  TextSender& operator=(const TextSender&) = delete;
 
   /// False if the text is too long, too many are waiting, or there is no such node-ID. Time is that
   /// of the node.

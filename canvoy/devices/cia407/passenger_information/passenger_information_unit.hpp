@@ -71,8 +71,6 @@ class PassengerInformationUnit {
   /// Everything to which `hardware` refers must outlive this.
   PassengerInformationUnit(VirtualDevice& device, const DisplayHardware& hardware,
                            const NoSettings& settings);
-  PassengerInformationUnit(const PassengerInformationUnit&) = delete;
-  PassengerInformationUnit& operator=(const PassengerInformationUnit&) = delete;
 
   /// Files of characters that 6202h stores.
   FileShelf& special_character_files() { return special_characters_.shelf(); }

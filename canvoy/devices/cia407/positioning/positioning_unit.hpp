@@ -32,8 +32,6 @@ class PositioningUnit {
   /// Everything to which `hardware` refers must outlive this.
   PositioningUnit(VirtualDevice& device, const PositioningHardware& hardware,
                   const PositioningSettings& settings);
-  PositioningUnit(const PositioningUnit&) = delete;
-  PositioningUnit& operator=(const PositioningUnit&) = delete;
 
  private:
   void reset(ResetScope /*scope*/) { look(device_.node().now()); }

@@ -37,8 +37,6 @@ class TimeFixingUnit {
         timer_(callback<&TimeFixingUnit::look>(*this)) {
     device.on_reset = callback<&TimeFixingUnit::reset>(*this);
   }
-  TimeFixingUnit(const TimeFixingUnit&) = delete;
-  TimeFixingUnit& operator=(const TimeFixingUnit&) = delete;
 
  private:
   void reset(ResetScope /*scope*/) { look(device_.node().now()); }

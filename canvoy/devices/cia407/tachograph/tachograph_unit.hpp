@@ -45,8 +45,6 @@ class TachographUnit {
   /// Everything to which `hardware` refers must outlive this.
   TachographUnit(VirtualDevice& device, const TachographHardware& hardware,
                  const TachographSettings& settings);
-  TachographUnit(const TachographUnit&) = delete;
-  TachographUnit& operator=(const TachographUnit&) = delete;
 
   /// Total distance at the start of the present trip.
   double trip_begin_metres() const { return trip_begin_; }

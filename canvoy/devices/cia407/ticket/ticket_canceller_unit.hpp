@@ -23,8 +23,6 @@ class TicketCancellerUnit {
   /// Everything to which `hardware` refers must outlive this.
   TicketCancellerUnit(VirtualDevice& device, const TicketCancellerHardware& hardware,
                       const NoSettings& settings);
-  TicketCancellerUnit(const TicketCancellerUnit&) = delete;
-  TicketCancellerUnit& operator=(const TicketCancellerUnit&) = delete;
 
   /// Stamps a ticket with the present place and time, unless it is blocked.
   TicketAnswer insert_ticket();

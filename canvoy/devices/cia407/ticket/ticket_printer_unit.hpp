@@ -24,8 +24,6 @@ class TicketPrinterUnit {
   /// Everything to which `hardware` refers must outlive this.
   TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
                     const NoSettings& settings);
-  TicketPrinterUnit(const TicketPrinterUnit&) = delete;
-  TicketPrinterUnit& operator=(const TicketPrinterUnit&) = delete;
 
   /// Prints a ticket with the present place and time, unless it is blocked or has no paper.
   TicketAnswer sell_ticket();

@@ -57,8 +57,6 @@ class CallController {
   /// this.
   CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
                  const CallControllerSettings& settings);
-  CallController(const CallController&) = delete;
-  CallController& operator=(const CallController&) = delete;
 
   /// Calls `changed` when a call or special function has started or ended at a panel.
   void on_change(Callback<void()> changed) { changed_ = changed; }

@@ -22,8 +22,6 @@ class CallOutputs {
   /// `outputs` are those of the groups that `node` has, in their order; others are left out. All
   /// arguments must outlive this.
   CallOutputs(Node& node, std::span<const VirtualOutput> outputs);
-  CallOutputs(const CallOutputs&) = delete;
-  CallOutputs& operator=(const CallOutputs&) = delete;
 
   /// For CallController::on_record(). Linear in the number of outputs.
   Callback<void(const VirtualOutput&)> told() { return callback<&CallOutputs::store>(*this); }

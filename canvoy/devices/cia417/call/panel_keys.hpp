@@ -30,8 +30,6 @@ class PanelKeys {
  public:
   /// `client` has no other user. All arguments must outlive this.
   PanelKeys(Node& node, SdoClient& client, CallController& calls);
-  PanelKeys(const PanelKeys&) = delete;
-  PanelKeys& operator=(const PanelKeys&) = delete;
 
   /// Reads a panel soon. A panel that is being read is read again afterwards.
   void read(NodeId panel);

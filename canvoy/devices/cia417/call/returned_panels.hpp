@@ -25,8 +25,6 @@ class ReturnedPanels {
  public:
   /// `client` has no other user. All arguments must outlive this.
   ReturnedPanels(Node& node, SdoClient& client, CallController& calls);
-  ReturnedPanels(const ReturnedPanels&) = delete;
-  ReturnedPanels& operator=(const ReturnedPanels&) = delete;
 
   /// Nodes for which the callback returns false have no inputs to read.
   void on_question(Callback<bool(NodeId)> has_inputs) { has_inputs_ = has_inputs; }

@@ -100,8 +100,6 @@ class LiftController {
   /// All arguments must outlive the controller.
   LiftController(Node& node, CallController& calls, const LiftParts& parts,
                  const LiftControllerSettings& settings);
-  LiftController(const LiftController&) = delete;
-  LiftController& operator=(const LiftController&) = delete;
 
   /// Evaluates all inputs after a change, and acts. From outside of a callback of the node, call
   /// Node::advance() before and after.

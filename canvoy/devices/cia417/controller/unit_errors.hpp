@@ -52,8 +52,6 @@ class UnitErrors {
   /// All arguments must outlive this. `client` reads error registers: without an error, those of
   /// position and load unit only, as statuswords have the state of drives and doors.
   UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client, const LiftUnits& units);
-  UnitErrors(const UnitErrors&) = delete;
-  UnitErrors& operator=(const UnitErrors&) = delete;
 
   /// Calls `changed` when a unit gets an error, or has none any more.
   void on_change(Callback<void()> changed) { changed_ = changed; }

@@ -62,8 +62,6 @@ class CarDoorController {
   /// With `rpdos`, the RPDOs of the node, an unknown state is requested by remote frame; without
   /// them, the controller waits for the message of the door.
   CarDoorController(Node& node, const CarDoorControllerSettings& settings, Rpdos* rpdos = nullptr);
-  CarDoorController(const CarDoorController&) = delete;
-  CarDoorController& operator=(const CarDoorController&) = delete;
 
   // Commands doors of the car; others are left out. A command that is already carried out is not
   // sent again. From outside of a callback of the node, call Node::advance() before and after.

@@ -52,8 +52,6 @@ class CarDoorUnit {
  public:
   /// Everything to which `hardware` refers must outlive this.
   CarDoorUnit(Node& node, const DoorHardware& hardware, const CarDoorSettings& settings);
-  CarDoorUnit(const CarDoorUnit&) = delete;
-  CarDoorUnit& operator=(const CarDoorUnit&) = delete;
 
   /// Reads the hardware at the next call of the node, after a change.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }

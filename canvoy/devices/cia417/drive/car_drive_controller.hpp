@@ -91,8 +91,6 @@ class CarDriveController {
   /// Makes the controller; `node` must outlive it, and so must the services.
   CarDriveController(Node& node, const CarDriveControllerServices& services,
                      const CarDriveControllerSettings& settings);
-  CarDriveController(const CarDriveController&) = delete;
-  CarDriveController& operator=(const CarDriveController&) = delete;
 
   // Commands. From outside of a callback of the node, call Node::advance() before and after.
   /// Moves the car to a position, in micrometres as in LiftMotion; within the last floors.

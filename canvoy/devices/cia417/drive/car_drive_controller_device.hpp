@@ -46,8 +46,6 @@ class LoneDriveController {
     services.heartbeat_consumer().on_change(callback<&Self::unit_changed>(*this));
     services.node().on_defaults_restored(callback<&Self::restored>(*this));
   }
-  LoneDriveController(const LoneDriveController&) = delete;
-  LoneDriveController& operator=(const LoneDriveController&) = delete;
 
   /// Behaviour of the controller.
   CarDriveController& controller() { return controller_; }

@@ -86,8 +86,6 @@ class CarDriveUnit {
   /// Everything to which `hardware` and `services` refer must outlive this.
   CarDriveUnit(Node& node, const CarDriveServices& services, const CarDriveHardware& hardware,
                const CarDriveSettings& settings);
-  CarDriveUnit(const CarDriveUnit&) = delete;
-  CarDriveUnit& operator=(const CarDriveUnit&) = delete;
 
   /// State of CiA 402, as the statusword has it.
   DriveState state() const { return state_; }

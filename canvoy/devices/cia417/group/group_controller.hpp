@@ -50,8 +50,6 @@ class GroupController {
   /// All arguments must outlive the controller.
   GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats,
                   const GroupControllerMemory& memory, const GroupControllerSettings& settings);
-  GroupController(const GroupController&) = delete;
-  GroupController& operator=(const GroupController&) = delete;
 
   /// `lift` is 1 to 8.
   const GroupLift& lift(unsigned lift) const { return lifts_[lift - 1]; }

@@ -51,8 +51,6 @@ class GroupMember {
   GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats, Node& lift_node,
               CallController& calls, LiftController& lift, std::span<std::uint64_t> queue,
               const GroupMemberSettings& settings);
-  GroupMember(const GroupMember&) = delete;
-  GroupMember& operator=(const GroupMember&) = delete;
 
   /// True while the group controller is received.
   bool is_in_group() const { return is_in_group_; }

@@ -15,8 +15,6 @@ class BusWarning {
  public:
   /// `node` already has its emergency producer, and must outlive this.
   explicit BusWarning(Node& node) : node_(node) { node.attach(service_); }
-  BusWarning(const BusWarning&) = delete;
-  BusWarning& operator=(const BusWarning&) = delete;
 
  private:
   void reset(ResetScope scope);

@@ -43,8 +43,6 @@ class LoadMeasuringUnit {
  public:
   /// Everything to which `hardware` refers must outlive this.
   LoadMeasuringUnit(Node& node, const LoadHardware& hardware, const LoadSettings& settings);
-  LoadMeasuringUnit(const LoadMeasuringUnit&) = delete;
-  LoadMeasuringUnit& operator=(const LoadMeasuringUnit&) = delete;
 
   /// Reads the hardware at the next call of the node.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }

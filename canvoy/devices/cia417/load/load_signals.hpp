@@ -28,8 +28,6 @@ class LoadSignals {
   /// All arguments must outlive this.
   LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
               const LoadSignalsSettings& settings);
-  LoadSignals(const LoadSignals&) = delete;
-  LoadSignals& operator=(const LoadSignals&) = delete;
 
   /// Sets the callback for each change of now().
   void on_change(Callback<void()> changed) { changed_ = changed; }

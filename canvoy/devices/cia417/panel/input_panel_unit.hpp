@@ -70,8 +70,6 @@ class InputPanelUnit {
   /// The dictionary has input groups and 6010h. All arguments must outlive the unit.
   InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory& memory,
                  const InputPanelSettings& settings);
-  InputPanelUnit(const InputPanelUnit&) = delete;
-  InputPanelUnit& operator=(const InputPanelUnit&) = delete;
 
   // To be called from outside of the node. `number` counts the inputs from 0, in the order of the
   // groups; other numbers are ignored. The cost is linear in the number of groups, and in the

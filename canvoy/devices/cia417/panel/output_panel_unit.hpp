@@ -56,8 +56,6 @@ class OutputPanelUnit {
   /// must outlive the unit.
   OutputPanelUnit(Node& node, std::span<OutputState> states, const OutputHardware& hardware,
                   const OutputPanelSettings& settings);
-  OutputPanelUnit(const OutputPanelUnit&) = delete;
-  OutputPanelUnit& operator=(const OutputPanelUnit&) = delete;
 
   std::uint32_t size() const { return groups_.size(); }
   /// The record in its group; `output` counts from 0.

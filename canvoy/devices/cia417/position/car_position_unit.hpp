@@ -62,8 +62,6 @@ class CarPositionUnit {
   /// Everything to which `hardware` and `services` refer must outlive this.
   CarPositionUnit(Node& node, const CarPositionServices& services,
                   const CarPositionHardware& hardware, const CarPositionSettings& settings);
-  CarPositionUnit(const CarPositionUnit&) = delete;
-  CarPositionUnit& operator=(const CarPositionUnit&) = delete;
 
   /// Position of unit 1 to 4, in counts, as in 6383h.
   std::int32_t position(unsigned unit) const;

@@ -23,8 +23,6 @@ class LonePositionCamUnit {
  public:
   /// Makes the unit; `node` and what `settings` refers to must outlive it.
   LonePositionCamUnit(Node& node, const NoHardware& /*none*/, const PositionCamSettings& settings);
-  LonePositionCamUnit(const LonePositionCamUnit&) = delete;
-  LonePositionCamUnit& operator=(const LonePositionCamUnit&) = delete;
 
  private:
   void reset(ResetScope /*scope*/) { cams_.refresh(); }

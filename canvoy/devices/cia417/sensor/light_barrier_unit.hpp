@@ -34,8 +34,6 @@ class LightBarrierUnit {
   /// Everything to which `hardware` refers must outlive this.
   LightBarrierUnit(Node& node, const LightBarrierHardware& hardware,
                    const LightBarrierSettings& settings);
-  LightBarrierUnit(const LightBarrierUnit&) = delete;
-  LightBarrierUnit& operator=(const LightBarrierUnit&) = delete;
 
   /// Reads the hardware at the next call of the node.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }

@@ -66,8 +66,6 @@ class SensorUnit {
  public:
   /// The dictionary has sensor groups and 6012h. All arguments must outlive the unit.
   SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory, const SensorSettings& settings);
-  SensorUnit(const SensorUnit&) = delete;
-  SensorUnit& operator=(const SensorUnit&) = delete;
 
   // To be called from outside of the node. `number` counts from 0, in the order of the groups;
   // other numbers are ignored. The cost is linear in the number of groups, and in the number of

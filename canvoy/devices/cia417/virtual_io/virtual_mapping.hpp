@@ -36,8 +36,6 @@ class VirtualMapping {
   /// `index` is 6010h or 6012h. It sets Tpdos::before_transmit, and calls the former callback. The
   /// node needs a backlog of at least two frames. All arguments must outlive this.
   VirtualMapping(Node& node, Tpdos& tpdos, std::uint16_t index, const VirtualSource& source);
-  VirtualMapping(const VirtualMapping&) = delete;
-  VirtualMapping& operator=(const VirtualMapping&) = delete;
 
   /// Reports a waiting record: it is sent at once, or when inhibit time, SYNC and controller allow
   /// it. From outside of a callback, call Node::advance(now) before. Linear in the number of TPDOs.

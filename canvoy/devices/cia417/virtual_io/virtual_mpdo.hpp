@@ -95,8 +95,6 @@ class VirtualMpdoProducer {
   /// All arguments must outlive this.
   VirtualMpdoProducer(Node& node, Tpdos& tpdos, MpdoProducer& producer, VirtualMapping& mapping,
                       const VirtualMpdoSettings& settings);
-  VirtualMpdoProducer(const VirtualMpdoProducer&) = delete;
-  VirtualMpdoProducer& operator=(const VirtualMpdoProducer&) = delete;
 
  private:
   bool is_working();
@@ -139,8 +137,6 @@ class VirtualMpdoConsumer {
       : node_(node), mapping_(mapping) {
     node.attach(service_);
   }
-  VirtualMpdoConsumer(const VirtualMpdoConsumer&) = delete;
-  VirtualMpdoConsumer& operator=(const VirtualMpdoConsumer&) = delete;
 
  private:
   void written(const Entry& entry, Source source);

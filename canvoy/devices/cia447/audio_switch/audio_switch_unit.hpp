@@ -81,8 +81,6 @@ class AudioSwitchUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware& hardware,
                   const SwitchedSettings& settings);
-  AudioSwitchUnit(const AudioSwitchUnit&) = delete;
-  AudioSwitchUnit& operator=(const AudioSwitchUnit&) = delete;
 
   /// Gains at present.
   const AudioMatrix& matrix() const { return matrix_; }

@@ -52,8 +52,6 @@ class DriverIdentificationUnit {
   /// Everything to which `hardware` refers must outlive this.
   DriverIdentificationUnit(CarNetwork& network, const DriverIdentificationHardware& hardware,
                            const DriverIdentificationSettings& settings);
-  DriverIdentificationUnit(const DriverIdentificationUnit&) = delete;
-  DriverIdentificationUnit& operator=(const DriverIdentificationUnit&) = delete;
 
   /// False if a driver is logged in, the reader does not work, or the card is not known. An unknown
   /// card is an identification failure until the next card, or forget_failure().

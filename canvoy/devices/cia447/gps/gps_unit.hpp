@@ -31,8 +31,6 @@ class GpsUnit {
  public:
   /// Everything to which `hardware` refers must outlive this.
   GpsUnit(CarNetwork& network, const GpsHardware& hardware, const GpsSettings& settings);
-  GpsUnit(const GpsUnit&) = delete;
-  GpsUnit& operator=(const GpsUnit&) = delete;
 
   /// Reads the receiver at the next call of the node.
   void hardware_changed() { network_.node().timers().arm(timer_, network_.node().now()); }

@@ -29,8 +29,6 @@ class HandsFreeUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
                 const SwitchedSettings& settings);
-  HandsFreeUnit(const HandsFreeUnit&) = delete;
-  HandsFreeUnit& operator=(const HandsFreeUnit&) = delete;
 
   /// Reports the driver's key.
   void press_key(bool is_pressed) {

@@ -54,8 +54,6 @@ class CarSeats {
 
   /// Everything to which `hardware` and `settings` refer must outlive this.
   CarSeats(CarNetwork& network, const SwitchedHardware& hardware, const SwitchedSettings& settings);
-  CarSeats(const CarSeats&) = delete;
-  CarSeats& operator=(const CarSeats&) = delete;
 
   /// Loads the memories from `store`, and then stores each change in it. Everything to which
   /// `store` refers must outlive this.

@@ -170,8 +170,6 @@ class IvnGatewayUnit {
 
   /// Everything to which `hardware` and `settings` refer must outlive this.
   IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware, const CarSettings& settings);
-  IvnGatewayUnit(const IvnGatewayUnit&) = delete;
-  IvnGatewayUnit& operator=(const IvnGatewayUnit&) = delete;
 
   /// Reports a state of the car: any status that has named states. For the front passenger's seat,
   /// by its place.

@@ -45,8 +45,6 @@ class CarDevice : public FoundValues<CarDevice> {
   CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
             const Environment& environment);
   ~CarDevice() { units_.end(); }
-  CarDevice(const CarDevice&) = delete;
-  CarDevice& operator=(const CarDevice&) = delete;
 
   /// See car_parts(): with the default heartbeat.
   static std::vector<Part> parts_of(std::span<const CarUnit* const> units) {

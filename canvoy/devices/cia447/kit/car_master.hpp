@@ -88,8 +88,6 @@ class CarMaster {
   /// two.
   CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
             const CarMasterSettings& settings = {});
-  CarMaster(const CarMaster&) = delete;
-  CarMaster& operator=(const CarMaster&) = delete;
 
   /// Sets the callback for each event.
   void on_event(Callback<void(const CarEvent&)> told) { told_ = told; }

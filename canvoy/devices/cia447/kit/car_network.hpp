@@ -59,8 +59,6 @@ class CarNetwork {
 
   /// Attaches to the node, which must outlive this.
   explicit CarNetwork(Node& node, const CarNetworkSettings& settings = {});
-  CarNetwork(const CarNetwork&) = delete;
-  CarNetwork& operator=(const CarNetwork&) = delete;
 
   /// The node of the device.
   Node& node() { return node_; }

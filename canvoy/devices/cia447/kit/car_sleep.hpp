@@ -74,8 +74,6 @@ class CarSleep {
 
   /// `port` is that of the node of `network`; both must outlive this.
   CarSleep(CarNetwork& network, MutedPort& port, const CarSleepSettings& settings = {});
-  CarSleep(const CarSleep&) = delete;
-  CarSleep& operator=(const CarSleep&) = delete;
 
   /// State at present.
   SleepState state() const { return state_; }

@@ -33,8 +33,6 @@ class CarSource {
 
   /// Makes the source; `network` must outlive it.
   CarSource(CarNetwork& network, const Settings& settings);
-  CarSource(const CarSource&) = delete;
-  CarSource& operator=(const CarSource&) = delete;
 
   /// Takes a write of a value of the PDO. A write by SDO has no monitored source.
   void came(Source source);

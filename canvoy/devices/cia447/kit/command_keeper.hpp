@@ -42,8 +42,6 @@ class CommandKeeper {
 
   /// Makes the keeper; `network` must outlive it.
   CommandKeeper(CarNetwork& network, const CommandKeeperSettings& settings);
-  CommandKeeper(const CommandKeeper&) = delete;
-  CommandKeeper& operator=(const CommandKeeper&) = delete;
 
   /// Replaces the command at `place`, 0 to commands_max - 1. Commands are sent in the order of
   /// their places. A single command that is set again is new.

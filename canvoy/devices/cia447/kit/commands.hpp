@@ -90,8 +90,6 @@ class Commands {
   /// Objects that the node lacks are ignored.
   Commands(CarNetwork& network, std::span<const ObjectInfo* const> wanted,
            const CommandSettings& settings);
-  Commands(const Commands&) = delete;
-  Commands& operator=(const Commands&) = delete;
 
  private:
   void reset(ResetScope scope);

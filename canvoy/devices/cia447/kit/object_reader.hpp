@@ -31,8 +31,6 @@ class ObjectReader {
 
   /// Makes a reader; `network` must outlive it.
   ObjectReader(CarNetwork& network, const Settings& settings);
-  ObjectReader(const ObjectReader&) = delete;
-  ObjectReader& operator=(const ObjectReader&) = delete;
 
  private:
   /// From a reset to the first request: other nodes boot, too.

@@ -45,8 +45,6 @@ class ProvidedObjects {
 
   /// Both must outlive this.
   ProvidedObjects(CarNetwork& network, const Settings& settings);
-  ProvidedObjects(const ProvidedObjects&) = delete;
-  ProvidedObjects& operator=(const ProvidedObjects&) = delete;
 
  private:
   AbortCode asked(const Entry& entry, std::span<const std::uint8_t> value);

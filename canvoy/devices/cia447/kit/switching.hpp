@@ -172,8 +172,6 @@ class Switching {
   /// `table`, and `fields`, which has room for count_fields(table), must outlive this.
   Switching(CarNetwork& network, const SwitchedTable& table, std::span<Field> fields,
             const SwitchedHardware& hardware, const SwitchedSettings& settings);
-  Switching(const Switching&) = delete;
-  Switching& operator=(const Switching&) = delete;
 
   /// Sets the actual state, and ends a motion under way. No effect if the table does not have the
   /// status.

@@ -39,8 +39,6 @@ class NavigationClient {
 
   /// Makes the client; `network` must outlive it.
   NavigationClient(CarNetwork& network, const NavigationClientSettings& settings);
-  NavigationClient(const NavigationClient&) = delete;
-  NavigationClient& operator=(const NavigationClient&) = delete;
 
   /// Starts guidance at once, replacing the present one.
   void guide(const GeoPosition& destination);

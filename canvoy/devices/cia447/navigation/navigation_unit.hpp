@@ -45,8 +45,6 @@ class NavigationUnit {
   /// Everything to which `hardware` refers must outlive this.
   NavigationUnit(CarNetwork& network, const NavigationHardware& hardware,
                  const NavigationSettings& settings);
-  NavigationUnit(const NavigationUnit&) = delete;
-  NavigationUnit& operator=(const NavigationUnit&) = delete;
 
   // For the driver.
 

@@ -59,8 +59,6 @@ class PowerSupplyUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
                   const PowerSupplySettings& settings);
-  PowerSupplyUnit(const PowerSupplyUnit&) = delete;
-  PowerSupplyUnit& operator=(const PowerSupplyUnit&) = delete;
 
   /// Reports an overload of a line, which is then off.
   void report_overload(Supply supply, bool is_overloaded);

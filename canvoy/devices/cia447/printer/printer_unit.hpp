@@ -59,8 +59,6 @@ class PrinterUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
               const PrinterSettings& settings);
-  PrinterUnit(const PrinterUnit&) = delete;
-  PrinterUnit& operator=(const PrinterUnit&) = delete;
 
   /// Reports whether there is paper.
   void sense_paper(bool is_there);

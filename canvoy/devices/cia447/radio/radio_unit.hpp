@@ -34,8 +34,6 @@ class RadioUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
             const SwitchedSettings& settings);
-  RadioUnit(const RadioUnit&) = delete;
-  RadioUnit& operator=(const RadioUnit&) = delete;
 
   /// The machine of commands and states, for the reports of the radio.
   Switching& switching() { return unit_.switching(); }

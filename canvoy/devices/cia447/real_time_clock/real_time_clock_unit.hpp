@@ -49,8 +49,6 @@ class RealTimeClockUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
                     const RealTimeClockSettings& settings);
-  RealTimeClockUnit(const RealTimeClockUnit&) = delete;
-  RealTimeClockUnit& operator=(const RealTimeClockUnit&) = delete;
 
   /// Sets the time, for example from GPS.
   void set(Duration since_1970_utc);

@@ -71,8 +71,6 @@ class RoofBarSoundUnit {
   /// Everything to which `hardware` and `settings` refer must outlive this.
   RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
                    const RoofBarSoundSettings& settings);
-  RoofBarSoundUnit(const RoofBarSoundUnit&) = delete;
-  RoofBarSoundUnit& operator=(const RoofBarSoundUnit&) = delete;
 
   /// What the loudspeakers give at present.
   const RoofBarSound& output() const { return output_; }

@@ -40,8 +40,6 @@ class TariffDisplayUnit {
   /// Everything to which `hardware` refers must outlive this.
   TariffDisplayUnit(CarNetwork& network, const TariffDisplayHardware& hardware,
                     const TariffDisplaySettings& settings);
-  TariffDisplayUnit(const TariffDisplayUnit&) = delete;
-  TariffDisplayUnit& operator=(const TariffDisplayUnit&) = delete;
 
   /// Sets an input, 1 to 16, to active or not, or to a Signal that says why it is not known.
   void set_input(unsigned input, Signal state);

@@ -39,8 +39,6 @@ class TaxiAlarmUnit {
   /// Everything to which `hardware` refers must outlive this.
   TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
                 const TaxiAlarmSettings& settings);
-  TaxiAlarmUnit(const TaxiAlarmUnit&) = delete;
-  TaxiAlarmUnit& operator=(const TaxiAlarmUnit&) = delete;
 
   /// Reports that a key is pressed, released, or out of order.
   void press_key(Signal state);

@@ -49,8 +49,6 @@ class BusClock {
  public:
   /// Attaches to the node, which must outlive this.
   explicit BusClock(Node& node);
-  BusClock(const BusClock&) = delete;
-  BusClock& operator=(const BusClock&) = delete;
 
   /// Nothing if the node has no such objects, or has not received the time.
   std::optional<LocalTime> read();

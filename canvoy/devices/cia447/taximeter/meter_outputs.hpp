@@ -32,8 +32,6 @@ class MeterOutputs {
 
   /// It sets on_lost() of the network, and calls the former callback.
   MeterOutputs(CarNetwork& network, const Settings& settings);
-  MeterOutputs(const MeterOutputs&) = delete;
-  MeterOutputs& operator=(const MeterOutputs&) = delete;
 
   /// Shows the state of the taximeter on the roof.
   void show(const TaximeterDisplay& display);

@@ -43,8 +43,6 @@ class KeptImage {
 
   /// Without a flash, nothing is kept. All references must outlive this.
   KeptImage(Node& node, const Flash* flash, const Place& place, const Room& room);
-  KeptImage(const KeptImage&) = delete;
-  KeptImage& operator=(const KeptImage&) = delete;
 
   /// Reads the kept bytes: valid, empty, or any other state for damage.
   RecordState load(std::span<std::uint8_t> bytes);

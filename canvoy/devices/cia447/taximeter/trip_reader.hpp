@@ -23,8 +23,6 @@ class TripReader {
 
   /// `meter` is the node-ID of another node. `network` must outlive this.
   TripReader(CarNetwork& network, NodeId meter, Done done);
-  TripReader(const TripReader&) = delete;
-  TripReader& operator=(const TripReader&) = delete;
 
   /// No effect while a request is under way.
   void read();

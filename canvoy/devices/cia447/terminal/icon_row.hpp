@@ -39,8 +39,6 @@ class IconRow {
 
   /// Construct it after the Commands that check the same objects.
   IconRow(CarNetwork& network, IconDisplay display, Callback<void(const ShownIcon&)> shown);
-  IconRow(const IconRow&) = delete;
-  IconRow& operator=(const IconRow&) = delete;
 
   /// True if a command is for an icon of this display.
   bool is_mine(const FieldPlace& place) const;

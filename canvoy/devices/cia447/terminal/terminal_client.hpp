@@ -57,8 +57,6 @@ class TerminalClient {
 
   /// Makes the client; `network` must outlive it.
   TerminalClient(CarNetwork& network, const TerminalClientSettings& settings);
-  TerminalClient(const TerminalClient&) = delete;
-  TerminalClient& operator=(const TerminalClient&) = delete;
 
   /// Sets the callback for each key of the number pad that is pressed.
   void on_number_key(Callback<void(NumberPadKey)> pressed) { number_pressed_ = pressed; }

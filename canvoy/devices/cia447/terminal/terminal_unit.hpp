@@ -61,8 +61,6 @@ class TerminalUnit {
   /// Makes the unit; what `hardware` refers to must outlive it.
   TerminalUnit(CarNetwork& network, const TerminalHardware& hardware,
                const TerminalSettings& settings);
-  TerminalUnit(const TerminalUnit&) = delete;
-  TerminalUnit& operator=(const TerminalUnit&) = delete;
 
   // Actions of the person. A key stays pressed until it is released.
 

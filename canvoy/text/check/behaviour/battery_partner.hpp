@@ -22,8 +22,6 @@ class BatteryPartner {
   explicit BatteryPartner(Bench& bench);
   /// Resets the charger, so that the next case has another battery.
   ~BatteryPartner();
-  BatteryPartner(const BatteryPartner&) = delete;
-  BatteryPartner& operator=(const BatteryPartner&) = delete;
 
   /// Measurements and requests of the battery; may be changed at any time.
   cia418::BatteryReadings says = {.temperature_celsius = 25,
