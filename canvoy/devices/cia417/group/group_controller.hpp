@@ -101,10 +101,10 @@ class GroupController {
   WaitingRecords acknowledgements_;
   VirtualMapping assignment_mapping_;
   VirtualMapping acknowledgement_mapping_;
-  LiftCalls shown_;       ///< hall calls that panels have to show
-  LiftCalls told_;        ///< those that they have received
-  LiftCalls were_on_;     ///< those that they have shown since the group started
-  LiftCalls told_again_;  ///< those to send even if unchanged
+  LiftCalls shown_;                ///< hall calls that panels have to show
+  LiftCalls told_;                 ///< those that they have received
+  LiftCalls were_on_;              ///< those that they have shown since the group started
+  LiftCalls told_again_;           ///< those to send even if unchanged
   std::size_t resend_ = SIZE_MAX;  ///< the next assignment to repeat after the queue was full
   static const AccessHandlers hook_calls[];
   static const ServiceHandlers service_calls;
