@@ -10,40 +10,26 @@ namespace canvoy::cia401 {
 
 // Values.
 
-inline constexpr auto read_analogue_input_8_bit_entries =
-    channels(input(DataType::integer8, "Read analogue input 8-bit #"));
 inline constexpr auto read_analogue_input_8_bit_object =
-    array(0x6400, "Read analogue input 8-bit", read_analogue_input_8_bit_entries);
+    inputs<0x6400, "Read analogue input 8-bit", integer8>();
 inline constexpr auto read_analogue_input_16_bit_entries =
     channels(by_default(input(DataType::integer16, "Read analogue input 16-bit #")));
 inline constexpr auto read_analogue_input_16_bit_object =
     array(0x6401, "Read analogue input 16-bit", read_analogue_input_16_bit_entries,
           "Values of up to 16 bits are adjusted to the left.");
-inline constexpr auto read_analogue_input_32_bit_entries =
-    channels(input(DataType::integer32, "Read analogue input 32-bit #"));
 inline constexpr auto read_analogue_input_32_bit_object =
-    array(0x6402, "Read analogue input 32-bit", read_analogue_input_32_bit_entries);
-inline constexpr auto read_analogue_input_float_entries =
-    channels(input(DataType::real32, "Read analogue input float #"));
+    inputs<0x6402, "Read analogue input 32-bit", integer32>();
 inline constexpr auto read_analogue_input_float_object =
-    array(0x6403, "Read analogue input float", read_analogue_input_float_entries);
-inline constexpr auto write_analogue_output_8_bit_entries =
-    channels(output(DataType::integer8, "Write analogue output 8-bit #"));
+    inputs<0x6403, "Read analogue input float", real32>();
 inline constexpr auto write_analogue_output_8_bit_object =
-    array(0x6410, "Write analogue output 8-bit", write_analogue_output_8_bit_entries);
-inline constexpr auto write_analogue_output_16_bit_entries =
-    channels(by_default(output(DataType::integer16, "Write analogue output 16-bit #")));
+    outputs<0x6410, "Write analogue output 8-bit", integer8>();
 inline constexpr auto write_analogue_output_16_bit_object =
-    array(0x6411, "Write analogue output 16-bit", write_analogue_output_16_bit_entries,
-          "Values of up to 16 bits are adjusted to the left.");
-inline constexpr auto write_analogue_output_32_bit_entries =
-    channels(output(DataType::integer32, "Write analogue output 32-bit #"));
+    outputs<0x6411, "Write analogue output 16-bit", integer16, Mapping::by_default>(
+        "Values of up to 16 bits are adjusted to the left.");
 inline constexpr auto write_analogue_output_32_bit_object =
-    array(0x6412, "Write analogue output 32-bit", write_analogue_output_32_bit_entries);
-inline constexpr auto write_analogue_output_float_entries =
-    channels(output(DataType::real32, "Write analogue output float #"));
+    outputs<0x6412, "Write analogue output 32-bit", integer32>();
 inline constexpr auto write_analogue_output_float_object =
-    array(0x6413, "Write analogue output float", write_analogue_output_float_entries);
+    outputs<0x6413, "Write analogue output float", real32>();
 
 // Configuration of inputs.
 
@@ -72,126 +58,72 @@ inline constexpr auto analogue_input_global_interrupt_enable_object =
     var_object(0x6423, "Analogue input global interrupt enable", "",
                "Whether analogue inputs cause events at all: no TPDO is sent for them until then.",
                entry(boolean, rw, no, 0, enabled_names), {.category = Category::optional});
-inline constexpr auto analogue_input_interrupt_upper_limit_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue input interrupt upper limit integer #", 0));
 inline constexpr auto analogue_input_interrupt_upper_limit_integer_object =
-    array(0x6424, "Analogue input interrupt upper limit integer",
-          analogue_input_interrupt_upper_limit_integer_entries,
-          "An event, as long as the value is at or above it.");
-inline constexpr auto analogue_input_interrupt_lower_limit_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue input interrupt lower limit integer #", 0));
+    parameters<0x6424, "Analogue input interrupt upper limit integer", integer32, 0>(
+        "An event, as long as the value is at or above it.");
 inline constexpr auto analogue_input_interrupt_lower_limit_integer_object =
-    array(0x6425, "Analogue input interrupt lower limit integer",
-          analogue_input_interrupt_lower_limit_integer_entries,
-          "An event, as long as the value is below it.");
-inline constexpr auto analogue_input_interrupt_delta_unsigned_entries =
-    channels(parameter(DataType::unsigned32, "Analogue input interrupt delta unsigned #", 0));
+    parameters<0x6425, "Analogue input interrupt lower limit integer", integer32, 0>(
+        "An event, as long as the value is below it.");
 inline constexpr auto analogue_input_interrupt_delta_unsigned_object =
-    array(0x6426, "Analogue input interrupt delta unsigned",
-          analogue_input_interrupt_delta_unsigned_entries,
-          "An event when the value has changed by as much since the last one.");
-inline constexpr auto analogue_input_interrupt_negative_delta_unsigned_entries = channels(
-    parameter(DataType::unsigned32, "Analogue input interrupt negative delta unsigned #", 0));
-inline constexpr auto analogue_input_interrupt_negative_delta_unsigned_object = array(
-    0x6427, "Analogue input interrupt negative delta unsigned",
-    analogue_input_interrupt_negative_delta_unsigned_entries, "The same, of values that fall.");
-inline constexpr auto analogue_input_interrupt_positive_delta_unsigned_entries = channels(
-    parameter(DataType::unsigned32, "Analogue input interrupt positive delta unsigned #", 0));
-inline constexpr auto analogue_input_interrupt_positive_delta_unsigned_object = array(
-    0x6428, "Analogue input interrupt positive delta unsigned",
-    analogue_input_interrupt_positive_delta_unsigned_entries, "The same, of values that rise.");
-inline constexpr auto analogue_input_interrupt_upper_limit_float_entries =
-    channels(parameter(DataType::real32, "Analogue input interrupt upper limit float #", 0));
+    parameters<0x6426, "Analogue input interrupt delta unsigned", unsigned32, 0>(
+        "An event when the value has changed by as much since the last one.");
+inline constexpr auto analogue_input_interrupt_negative_delta_unsigned_object =
+    parameters<0x6427, "Analogue input interrupt negative delta unsigned", unsigned32, 0>(
+        "The same, of values that fall.");
+inline constexpr auto analogue_input_interrupt_positive_delta_unsigned_object =
+    parameters<0x6428, "Analogue input interrupt positive delta unsigned", unsigned32, 0>(
+        "The same, of values that rise.");
 inline constexpr auto analogue_input_interrupt_upper_limit_float_object =
-    array(0x6429, "Analogue input interrupt upper limit float",
-          analogue_input_interrupt_upper_limit_float_entries, "As 6424h.");
-inline constexpr auto analogue_input_interrupt_lower_limit_float_entries =
-    channels(parameter(DataType::real32, "Analogue input interrupt lower limit float #", 0));
+    parameters<0x6429, "Analogue input interrupt upper limit float", real32, 0>("As 6424h.");
 inline constexpr auto analogue_input_interrupt_lower_limit_float_object =
-    array(0x642A, "Analogue input interrupt lower limit float",
-          analogue_input_interrupt_lower_limit_float_entries, "As 6425h.");
-inline constexpr auto analogue_input_interrupt_delta_float_entries =
-    channels(parameter(DataType::real32, "Analogue input interrupt delta float #", 0));
+    parameters<0x642A, "Analogue input interrupt lower limit float", real32, 0>("As 6425h.");
 inline constexpr auto analogue_input_interrupt_delta_float_object =
-    array(0x642B, "Analogue input interrupt delta float",
-          analogue_input_interrupt_delta_float_entries, "As 6426h.");
-inline constexpr auto analogue_input_interrupt_negative_delta_float_entries =
-    channels(parameter(DataType::real32, "Analogue input interrupt negative delta float #", 0));
+    parameters<0x642B, "Analogue input interrupt delta float", real32, 0>("As 6426h.");
 inline constexpr auto analogue_input_interrupt_negative_delta_float_object =
-    array(0x642C, "Analogue input interrupt negative delta float",
-          analogue_input_interrupt_negative_delta_float_entries, "As 6427h.");
-inline constexpr auto analogue_input_interrupt_positive_delta_float_entries =
-    channels(parameter(DataType::real32, "Analogue input interrupt positive delta float #", 0));
+    parameters<0x642C, "Analogue input interrupt negative delta float", real32, 0>("As 6427h.");
 inline constexpr auto analogue_input_interrupt_positive_delta_float_object =
-    array(0x642D, "Analogue input interrupt positive delta float",
-          analogue_input_interrupt_positive_delta_float_entries, "As 6428h.");
-inline constexpr auto analogue_input_offset_float_entries =
-    channels(parameter(DataType::real32, "Analogue input offset float #", 0));
+    parameters<0x642D, "Analogue input interrupt positive delta float", real32, 0>("As 6428h.");
 inline constexpr auto analogue_input_offset_float_object =
-    array(0x642E, "Analogue input offset float", analogue_input_offset_float_entries,
-          "Added to the scaled value of 6403h.");
-inline constexpr auto analogue_input_scaling_float_entries =
-    channels(parameter(DataType::real32, "Analogue input scaling float #", 0x3F80'0000));
+    parameters<0x642E, "Analogue input offset float", real32, 0>(
+        "Added to the scaled value of 6403h.");
 inline constexpr auto analogue_input_scaling_float_object =
-    array(0x642F, "Analogue input scaling float", analogue_input_scaling_float_entries,
-          "Multiplies the value of 6403h; 1.0 by default.");
-inline constexpr auto analogue_input_si_unit_entries = channels(parameter(
-    DataType::unsigned32, "Analogue input SI unit #", 0, {.notation = Notation::hexadecimal}));
+    parameters<0x642F, "Analogue input scaling float", real32, 0x3F80'0000>(
+        "Multiplies the value of 6403h; 1.0 by default.");
 inline constexpr auto analogue_input_si_unit_object =
-    array(0x6430, "Analogue input SI unit", analogue_input_si_unit_entries,
-          "Unit and prefix, by CiA 303-2.");
-inline constexpr auto analogue_input_offset_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue input offset integer #", 0));
+    parameters<0x6430, "Analogue input SI unit", unsigned32, 0, unit_code>(
+        "Unit and prefix, by CiA 303-2.");
 inline constexpr auto analogue_input_offset_integer_object =
-    array(0x6431, "Analogue input offset integer", analogue_input_offset_integer_entries,
-          "Added to the scaled value of the integer objects.");
-inline constexpr auto analogue_input_scaling_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue input scaling integer #", 1));
+    parameters<0x6431, "Analogue input offset integer", integer32, 0>(
+        "Added to the scaled value of the integer objects.");
 inline constexpr auto analogue_input_scaling_integer_object =
-    array(0x6432, "Analogue input scaling integer", analogue_input_scaling_integer_entries,
-          "Multiplies the value of the integer objects.");
+    parameters<0x6432, "Analogue input scaling integer", integer32, 1>(
+        "Multiplies the value of the integer objects.");
 
 // Configuration of outputs.
 
-inline constexpr auto analogue_output_offset_float_entries =
-    channels(parameter(DataType::real32, "Analogue output offset float #", 0));
 inline constexpr auto analogue_output_offset_float_object =
-    array(0x6441, "Analogue output offset float", analogue_output_offset_float_entries,
-          "Added to the scaled value of 6413h.");
-inline constexpr auto analogue_output_scaling_float_entries =
-    channels(parameter(DataType::real32, "Analogue output scaling float #", 0x3F80'0000));
+    parameters<0x6441, "Analogue output offset float", real32, 0>(
+        "Added to the scaled value of 6413h.");
 inline constexpr auto analogue_output_scaling_float_object =
-    array(0x6442, "Analogue output scaling float", analogue_output_scaling_float_entries,
-          "Multiplies the value of 6413h; 1.0 by default.");
-inline constexpr auto analogue_output_error_mode_entries = channels(parameter(
-    DataType::unsigned8, "Analogue output error mode #", 1, {.names = error_mode_byte_names}));
+    parameters<0x6442, "Analogue output scaling float", real32, 0x3F80'0000>(
+        "Multiplies the value of 6413h; 1.0 by default.");
 inline constexpr auto analogue_output_error_mode_object =
-    array(0x6443, "Analogue output error mode", analogue_output_error_mode_entries,
-          "Whether an output takes its error value when the device fails.");
-inline constexpr auto analogue_output_error_value_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue output error value integer #", 0));
-inline constexpr auto analogue_output_error_value_integer_object = array(
-    0x6444, "Analogue output error value integer", analogue_output_error_value_integer_entries,
-    "What the output of an integer object is set to.");
-inline constexpr auto analogue_output_error_value_float_entries =
-    channels(parameter(DataType::real32, "Analogue output error value float #", 0));
+    parameters<0x6443, "Analogue output error mode", unsigned8, 1, error_mode_byte>(
+        "Whether an output takes its error value when the device fails.");
+inline constexpr auto analogue_output_error_value_integer_object =
+    parameters<0x6444, "Analogue output error value integer", integer32, 0>(
+        "What the output of an integer object is set to.");
 inline constexpr auto analogue_output_error_value_float_object =
-    array(0x6445, "Analogue output error value float", analogue_output_error_value_float_entries,
-          "What the output of 6413h is set to.");
-inline constexpr auto analogue_output_offset_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue output offset integer #", 0));
+    parameters<0x6445, "Analogue output error value float", real32, 0>(
+        "What the output of 6413h is set to.");
 inline constexpr auto analogue_output_offset_integer_object =
-    array(0x6446, "Analogue output offset integer", analogue_output_offset_integer_entries,
-          "Added to the scaled value of the integer objects.");
-inline constexpr auto analogue_output_scaling_integer_entries =
-    channels(parameter(DataType::integer32, "Analogue output scaling integer #", 1));
+    parameters<0x6446, "Analogue output offset integer", integer32, 0>(
+        "Added to the scaled value of the integer objects.");
 inline constexpr auto analogue_output_scaling_integer_object =
-    array(0x6447, "Analogue output scaling integer", analogue_output_scaling_integer_entries,
-          "Multiplies the value of the integer objects.");
-inline constexpr auto analogue_output_si_unit_entries = channels(parameter(
-    DataType::unsigned32, "Analogue output SI unit #", 0, {.notation = Notation::hexadecimal}));
+    parameters<0x6447, "Analogue output scaling integer", integer32, 1>(
+        "Multiplies the value of the integer objects.");
 inline constexpr auto analogue_output_si_unit_object =
-    array(0x6450, "Analogue output SI unit", analogue_output_si_unit_entries,
-          "Unit and prefix, by CiA 303-2.");
+    parameters<0x6450, "Analogue output SI unit", unsigned32, 0, unit_code>(
+        "Unit and prefix, by CiA 303-2.");
 
 }  // namespace canvoy::cia401

@@ -4,6 +4,9 @@
 //     .entry = {.type = DataType::unsigned8, .value = {.names = cia401::error_mode_names}}
 #pragma once
 
+#include <algorithm>
+
+#include "canvoy/profiles/model/numbered_name.hpp"
 #include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia401 {
@@ -61,6 +64,62 @@ constexpr ObjectInfo array(std::uint16_t index, std::string_view name,
                            const std::array<EntryInfo, 2>& entries,
                            std::string_view description = {}) {
   return array_object(index, name, "", description, entries, {.category = Category::optional});
+}
+
+// An array is said once, in one row: its channels have its name and a number.
+//
+//     inline constexpr auto polarity_input_8_bit_object =
+//         parameters<0x6002, "Polarity input 8-bit", unsigned8, 0, mask>("Which are inverted.");
+
+namespace detail {
+
+/// "Polarity input 8-bit #"
+template <Name name>
+inline constexpr auto channel_name = [] {
+  std::array<char, name.text().size() + 2> text{};
+  std::ranges::copy(name.text(), text.begin());
+  std::ranges::copy(std::string_view(" #"), text.end() - 2);
+  return text;
+}();
+template <Name name>
+inline constexpr std::string_view channel_text(channel_name<name>.data(),
+                                               channel_name<name>.size());
+
+constexpr EntryInfo mapped(EntryInfo entry, Mapping mapping) {
+  entry.mapping = mapping;
+  return entry;
+}
+template <Name name, DataType type, Mapping mapping>
+inline constexpr auto inputs = channels(mapped(input(type, channel_text<name>), mapping));
+template <Name name, DataType type, Mapping mapping>
+inline constexpr auto outputs = channels(mapped(output(type, channel_text<name>), mapping));
+template <Name name, DataType type, std::int64_t initial, const ValueInfo& value>
+inline constexpr auto parameters = channels(parameter(type, channel_text<name>, initial, value));
+
+}  // namespace detail
+
+/// A number without a unit.
+inline constexpr ValueInfo plain = {};
+/// Error modes of analogue outputs.
+inline constexpr ValueInfo error_mode_byte = {.names = error_mode_byte_names};
+/// A unit and its prefix (CiA 303-2).
+inline constexpr ValueInfo unit_code = {.notation = Notation::hexadecimal};
+
+/// Process values that are read.
+template <std::uint16_t index, Name name, DataType type, Mapping mapping = Mapping::optional>
+constexpr ObjectInfo inputs(std::string_view description = {}) {
+  return array(index, name.text(), detail::inputs<name, type, mapping>, description);
+}
+/// Process values that are written, 0 by default.
+template <std::uint16_t index, Name name, DataType type, Mapping mapping = Mapping::optional>
+constexpr ObjectInfo outputs(std::string_view description = {}) {
+  return array(index, name.text(), detail::outputs<name, type, mapping>, description);
+}
+/// Parameters of inputs or outputs.
+template <std::uint16_t index, Name name, DataType type, std::int64_t initial,
+          const ValueInfo& value = plain>
+constexpr ObjectInfo parameters(std::string_view description = {}) {
+  return array(index, name.text(), detail::parameters<name, type, initial, value>, description);
 }
 
 }  // namespace canvoy::cia401

@@ -1,11 +1,26 @@
-// Names that contain a number: in a description, `#` stands for it.
+// Names of entries and fields, which may contain a number: in a description, `#` stands for it.
 //
 //     is_named("TPDO # mapping parameter", 20, "TPDO 20 mapping parameter")  // true
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string_view>
 
 namespace canvoy {
+
+/// A name, of an entry or a field, as a template argument.
+template <std::size_t size>
+struct Name {
+  char characters[size]{};  ///< ends with 0
+
+  /// Copies a literal.
+  constexpr Name(const char (&text)[size]) {  // NOLINT(google-explicit-constructor)
+    std::copy_n(text, size, characters);
+  }
+  /// The name without its final 0.
+  constexpr std::string_view text() const { return {characters, size - 1}; }
+};
 
 /// True if decimal digits, without leading zeros, are this number.
 constexpr bool is_decimal(std::string_view digits, unsigned number) {

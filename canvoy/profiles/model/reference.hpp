@@ -25,19 +25,6 @@
 
 namespace canvoy {
 
-/// The name of an entry or a field as a template argument.
-template <std::size_t size>
-struct Name {
-  char characters[size]{};  ///< ends with 0
-
-  /// Copies a literal.
-  constexpr Name(const char (&text)[size]) {  // NOLINT(google-explicit-constructor)
-    std::copy_n(text, size, characters);
-  }
-  /// The name without its final 0.
-  constexpr std::string_view text() const { return {characters, size - 1}; }
-};
-
 /// "Lift 3": a name that ends in a number, from 0 to 9.
 template <std::size_t size>
 constexpr Name<size + 1> numbered(const char (&front)[size], unsigned number) {
