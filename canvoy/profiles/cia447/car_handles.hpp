@@ -83,55 +83,41 @@ inline constexpr State<FlapCommand, car_flap_command_object, "", "blw">
 inline constexpr State<SlidingRoofCommand, car_flap_command_object, "", "sr">
     car_flap_command_sliding_roof;
 
-inline constexpr State<SeatMotion, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "sfb">
+/// Handles of the fields of the seat adjustment command.
+template <class Enumeration, Name field>
+using SeatAdjustmentCommandField =
+    State<Enumeration, seat_adjustment_command_object, "Seat adjustment command driver", field>;
+inline constexpr SeatAdjustmentCommandField<SeatMotion, "sfb">
     seat_adjustment_command_forward_backward;
-inline constexpr State<SeatHeight, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "sud">
-    seat_adjustment_command_up_down;
-inline constexpr State<SeatAngle, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "sals">
+inline constexpr SeatAdjustmentCommandField<SeatHeight, "sud"> seat_adjustment_command_up_down;
+inline constexpr SeatAdjustmentCommandField<SeatAngle, "sals">
     seat_adjustment_command_angle_lift_sink;
-inline constexpr State<SeatMotion, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "stsfb">
+inline constexpr SeatAdjustmentCommandField<SeatMotion, "stsfb">
     seat_adjustment_command_tight_support_forward_backward;
-inline constexpr State<SeatMotion, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "sbfb">
+inline constexpr SeatAdjustmentCommandField<SeatMotion, "sbfb">
     seat_adjustment_command_back_forward_backward;
-inline constexpr State<SeatHeight, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "hud">
+inline constexpr SeatAdjustmentCommandField<SeatHeight, "hud">
     seat_adjustment_command_headrest_up_down;
-inline constexpr State<SeatMemory, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "rm">
-    seat_adjustment_command_recall_memory;
-inline constexpr State<SeatMemory, seat_adjustment_command_object, "Seat adjustment command driver",
-                       "sm">
-    seat_adjustment_command_store_memory;
+inline constexpr SeatAdjustmentCommandField<SeatMemory, "rm"> seat_adjustment_command_recall_memory;
+inline constexpr SeatAdjustmentCommandField<SeatMemory, "sm"> seat_adjustment_command_store_memory;
 
-inline constexpr State<SeatMotion, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "sfb">
+/// Handles of the fields of the seat adjustment status.
+template <class Enumeration, Name field>
+using SeatAdjustmentStatusField =
+    State<Enumeration, seat_adjustment_status_object, "Seat adjustment status driver", field>;
+inline constexpr SeatAdjustmentStatusField<SeatMotion, "sfb">
     seat_adjustment_status_forward_backward;
-inline constexpr State<SeatHeight, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "sud">
-    seat_adjustment_status_up_down;
-inline constexpr State<SeatAngle, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "sals">
+inline constexpr SeatAdjustmentStatusField<SeatHeight, "sud"> seat_adjustment_status_up_down;
+inline constexpr SeatAdjustmentStatusField<SeatAngle, "sals">
     seat_adjustment_status_angle_lift_sink;
-inline constexpr State<SeatMotion, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "stsfb">
+inline constexpr SeatAdjustmentStatusField<SeatMotion, "stsfb">
     seat_adjustment_status_tight_support_forward_backward;
-inline constexpr State<SeatMotion, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "sbfb">
+inline constexpr SeatAdjustmentStatusField<SeatMotion, "sbfb">
     seat_adjustment_status_back_forward_backward;
-inline constexpr State<SeatHeight, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "hud">
+inline constexpr SeatAdjustmentStatusField<SeatHeight, "hud">
     seat_adjustment_status_headrest_up_down;
-inline constexpr State<SeatMemory, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "rm">
-    seat_adjustment_status_recall_memory;
-inline constexpr State<SeatMemory, seat_adjustment_status_object, "Seat adjustment status driver",
-                       "sm">
-    seat_adjustment_status_store_memory;
+inline constexpr SeatAdjustmentStatusField<SeatMemory, "rm"> seat_adjustment_status_recall_memory;
+inline constexpr SeatAdjustmentStatusField<SeatMemory, "sm"> seat_adjustment_status_store_memory;
 
 inline constexpr State<Wiper, wiper_system_status_object, "", "wsf"> wiper_system_status_front;
 inline constexpr State<Wiper, wiper_system_status_object, "", "wwf">
@@ -207,21 +193,17 @@ inline constexpr State<Signal, occupant_classification_status_object, "", "3rloc
 inline constexpr State<Signal, occupant_classification_status_object, "", "3rmocs">
     occupant_classification_status_3rd_row_middle_passenger;
 
-inline constexpr State<Signal, buckle_switch_status_object, "", "bsd"> buckle_switch_status_driver;
-inline constexpr State<Signal, buckle_switch_status_object, "", "bsfp">
-    buckle_switch_status_front_passenger;
-inline constexpr State<Signal, buckle_switch_status_object, "", "bsrr">
-    buckle_switch_status_rear_right;
-inline constexpr State<Signal, buckle_switch_status_object, "", "bsrl">
-    buckle_switch_status_rear_left;
-inline constexpr State<Signal, buckle_switch_status_object, "", "bsrm">
-    buckle_switch_status_rear_middle;
-inline constexpr State<Signal, buckle_switch_status_object, "", "3rr">
-    buckle_switch_status_3rd_row_right;
-inline constexpr State<Signal, buckle_switch_status_object, "", "3rl">
-    buckle_switch_status_3rd_row_left;
-inline constexpr State<Signal, buckle_switch_status_object, "", "3rm">
-    buckle_switch_status_3rd_row_middle;
+/// Handles of the fields of the buckle switch status.
+template <Name field>
+using BuckleSwitchStatusField = State<Signal, buckle_switch_status_object, "", field>;
+inline constexpr BuckleSwitchStatusField<"bsd"> buckle_switch_status_driver;
+inline constexpr BuckleSwitchStatusField<"bsfp"> buckle_switch_status_front_passenger;
+inline constexpr BuckleSwitchStatusField<"bsrr"> buckle_switch_status_rear_right;
+inline constexpr BuckleSwitchStatusField<"bsrl"> buckle_switch_status_rear_left;
+inline constexpr BuckleSwitchStatusField<"bsrm"> buckle_switch_status_rear_middle;
+inline constexpr BuckleSwitchStatusField<"3rr"> buckle_switch_status_3rd_row_right;
+inline constexpr BuckleSwitchStatusField<"3rl"> buckle_switch_status_3rd_row_left;
+inline constexpr BuckleSwitchStatusField<"3rm"> buckle_switch_status_3rd_row_middle;
 inline constexpr Text<vin_data_object> vin_data;
 inline constexpr State<Language, user_selected_language_command_object, "", "language">
     user_selected_language_command;
@@ -242,57 +224,45 @@ inline constexpr State<Signal, tester_present_object, "", "UDS diagnose session"
 
 // 4.2.3.
 
-inline constexpr State<Signal, car_light_status_object, "", "dtrl">
-    car_light_status_day_time_running;
-inline constexpr State<Signal, car_light_status_object, "", "bl"> car_light_status_brake;
-inline constexpr State<Signal, car_light_status_object, "", "rdl"> car_light_status_reverse_driving;
-inline constexpr State<Signal, car_light_status_object, "", "hb"> car_light_status_high_beam;
-inline constexpr State<Signal, car_light_status_object, "", "lb"> car_light_status_low_beam;
-inline constexpr State<Signal, car_light_status_object, "", "flf"> car_light_status_fog_lamps_front;
-inline constexpr State<Signal, car_light_status_object, "", "flr"> car_light_status_fog_lamps_rear;
-inline constexpr State<Signal, car_light_status_object, "", "tir">
-    car_light_status_turn_indication_right;
-inline constexpr State<Signal, car_light_status_object, "", "til">
-    car_light_status_turn_indication_left;
-inline constexpr State<Signal, car_light_status_object, "", "ttir">
-    car_light_status_tip_turn_indication_right;
-inline constexpr State<Signal, car_light_status_object, "", "ttil">
-    car_light_status_tip_turn_indication_left;
-inline constexpr State<Signal, car_light_status_object, "", "ef">
-    car_light_status_emergency_flasher;
-inline constexpr State<Signal, car_light_status_object, "", "fl"> car_light_status_flashing_light;
-inline constexpr State<Signal, car_light_status_object, "", "pl"> car_light_status_position_lamps;
-inline constexpr State<Signal, car_light_status_object, "", "plr">
-    car_light_status_parking_lamps_right;
-inline constexpr State<Signal, car_light_status_object, "", "pll">
-    car_light_status_parking_lamps_left;
+/// Handles of the fields of the car light status.
+template <Name field>
+using CarLightStatusField = State<Signal, car_light_status_object, "", field>;
+inline constexpr CarLightStatusField<"dtrl"> car_light_status_day_time_running;
+inline constexpr CarLightStatusField<"bl"> car_light_status_brake;
+inline constexpr CarLightStatusField<"rdl"> car_light_status_reverse_driving;
+inline constexpr CarLightStatusField<"hb"> car_light_status_high_beam;
+inline constexpr CarLightStatusField<"lb"> car_light_status_low_beam;
+inline constexpr CarLightStatusField<"flf"> car_light_status_fog_lamps_front;
+inline constexpr CarLightStatusField<"flr"> car_light_status_fog_lamps_rear;
+inline constexpr CarLightStatusField<"tir"> car_light_status_turn_indication_right;
+inline constexpr CarLightStatusField<"til"> car_light_status_turn_indication_left;
+inline constexpr CarLightStatusField<"ttir"> car_light_status_tip_turn_indication_right;
+inline constexpr CarLightStatusField<"ttil"> car_light_status_tip_turn_indication_left;
+inline constexpr CarLightStatusField<"ef"> car_light_status_emergency_flasher;
+inline constexpr CarLightStatusField<"fl"> car_light_status_flashing_light;
+inline constexpr CarLightStatusField<"pl"> car_light_status_position_lamps;
+inline constexpr CarLightStatusField<"plr"> car_light_status_parking_lamps_right;
+inline constexpr CarLightStatusField<"pll"> car_light_status_parking_lamps_left;
 
-inline constexpr State<Order, car_light_command_object, "", "dtrl">
-    car_light_command_day_time_running;
-inline constexpr State<Order, car_light_command_object, "", "bl"> car_light_command_brake;
-inline constexpr State<Order, car_light_command_object, "", "rdl">
-    car_light_command_reverse_driving;
-inline constexpr State<Order, car_light_command_object, "", "hb"> car_light_command_high_beam;
-inline constexpr State<Order, car_light_command_object, "", "lb"> car_light_command_low_beam;
-inline constexpr State<Order, car_light_command_object, "", "flf">
-    car_light_command_fog_lamps_front;
-inline constexpr State<Order, car_light_command_object, "", "flr"> car_light_command_fog_lamps_rear;
-inline constexpr State<Order, car_light_command_object, "", "tir">
-    car_light_command_turn_indication_right;
-inline constexpr State<Order, car_light_command_object, "", "til">
-    car_light_command_turn_indication_left;
-inline constexpr State<Order, car_light_command_object, "", "ttir">
-    car_light_command_tip_turn_indication_right;
-inline constexpr State<Order, car_light_command_object, "", "ttil">
-    car_light_command_tip_turn_indication_left;
-inline constexpr State<Order, car_light_command_object, "", "ef">
-    car_light_command_emergency_flasher;
-inline constexpr State<Order, car_light_command_object, "", "fl"> car_light_command_flashing_light;
-inline constexpr State<Order, car_light_command_object, "", "pl"> car_light_command_position_lamps;
-inline constexpr State<Order, car_light_command_object, "", "plr">
-    car_light_command_parking_lamps_right;
-inline constexpr State<Order, car_light_command_object, "", "pll">
-    car_light_command_parking_lamps_left;
+/// Handles of the fields of the car light command.
+template <Name field>
+using CarLightCommandField = State<Order, car_light_command_object, "", field>;
+inline constexpr CarLightCommandField<"dtrl"> car_light_command_day_time_running;
+inline constexpr CarLightCommandField<"bl"> car_light_command_brake;
+inline constexpr CarLightCommandField<"rdl"> car_light_command_reverse_driving;
+inline constexpr CarLightCommandField<"hb"> car_light_command_high_beam;
+inline constexpr CarLightCommandField<"lb"> car_light_command_low_beam;
+inline constexpr CarLightCommandField<"flf"> car_light_command_fog_lamps_front;
+inline constexpr CarLightCommandField<"flr"> car_light_command_fog_lamps_rear;
+inline constexpr CarLightCommandField<"tir"> car_light_command_turn_indication_right;
+inline constexpr CarLightCommandField<"til"> car_light_command_turn_indication_left;
+inline constexpr CarLightCommandField<"ttir"> car_light_command_tip_turn_indication_right;
+inline constexpr CarLightCommandField<"ttil"> car_light_command_tip_turn_indication_left;
+inline constexpr CarLightCommandField<"ef"> car_light_command_emergency_flasher;
+inline constexpr CarLightCommandField<"fl"> car_light_command_flashing_light;
+inline constexpr CarLightCommandField<"pl"> car_light_command_position_lamps;
+inline constexpr CarLightCommandField<"plr"> car_light_command_parking_lamps_right;
+inline constexpr CarLightCommandField<"pll"> car_light_command_parking_lamps_left;
 
 inline constexpr State<InteriorLight, car_interior_light_status_object, "", "ii">
     car_interior_light_status_illumination;
@@ -329,43 +299,31 @@ inline constexpr Quantity<mirror_anti_dazzle_position_object> mirror_anti_dazzle
 inline constexpr State<Signal, horn_status_object, "", "horn status"> horn_status;
 inline constexpr State<Order, horn_command_object, "", "horn command"> horn_command;
 
-inline constexpr State<Order, flashing_light_command_object, "", "gclf">
-    flashing_light_command_gateway_coded_functions;
-inline constexpr State<Order, flashing_light_command_object, "", "fld">
-    flashing_light_command_fog_lamps_day;
-inline constexpr State<Order, flashing_light_command_object, "", "fln">
-    flashing_light_command_fog_lamps_night;
-inline constexpr State<Order, flashing_light_command_object, "", "hbd">
-    flashing_light_command_high_beam_day;
-inline constexpr State<Order, flashing_light_command_object, "", "hbn">
-    flashing_light_command_high_beam_night;
-inline constexpr State<Order, flashing_light_command_object, "", "lbd">
-    flashing_light_command_low_beam_day;
-inline constexpr State<Order, flashing_light_command_object, "", "lbn">
-    flashing_light_command_low_beam_night;
-inline constexpr State<Order, flashing_light_command_object, "", "dtrld">
-    flashing_light_command_day_time_running_day;
-inline constexpr State<Order, flashing_light_command_object, "", "dtrln">
-    flashing_light_command_day_time_running_night;
+/// Handles of the fields of the flashing light command.
+template <Name field>
+using FlashingLightCommandField = State<Order, flashing_light_command_object, "", field>;
+inline constexpr FlashingLightCommandField<"gclf"> flashing_light_command_gateway_coded_functions;
+inline constexpr FlashingLightCommandField<"fld"> flashing_light_command_fog_lamps_day;
+inline constexpr FlashingLightCommandField<"fln"> flashing_light_command_fog_lamps_night;
+inline constexpr FlashingLightCommandField<"hbd"> flashing_light_command_high_beam_day;
+inline constexpr FlashingLightCommandField<"hbn"> flashing_light_command_high_beam_night;
+inline constexpr FlashingLightCommandField<"lbd"> flashing_light_command_low_beam_day;
+inline constexpr FlashingLightCommandField<"lbn"> flashing_light_command_low_beam_night;
+inline constexpr FlashingLightCommandField<"dtrld"> flashing_light_command_day_time_running_day;
+inline constexpr FlashingLightCommandField<"dtrln"> flashing_light_command_day_time_running_night;
 
-inline constexpr State<Signal, flashing_light_status_object, "", "gclf">
-    flashing_light_status_gateway_coded_functions;
-inline constexpr State<Signal, flashing_light_status_object, "", "fld">
-    flashing_light_status_fog_lamps_day;
-inline constexpr State<Signal, flashing_light_status_object, "", "fln">
-    flashing_light_status_fog_lamps_night;
-inline constexpr State<Signal, flashing_light_status_object, "", "hbd">
-    flashing_light_status_high_beam_day;
-inline constexpr State<Signal, flashing_light_status_object, "", "hbn">
-    flashing_light_status_high_beam_night;
-inline constexpr State<Signal, flashing_light_status_object, "", "lbd">
-    flashing_light_status_low_beam_day;
-inline constexpr State<Signal, flashing_light_status_object, "", "lbn">
-    flashing_light_status_low_beam_night;
-inline constexpr State<Signal, flashing_light_status_object, "", "dtrld">
-    flashing_light_status_day_time_running_day;
-inline constexpr State<Signal, flashing_light_status_object, "", "dtrln">
-    flashing_light_status_day_time_running_night;
+/// Handles of the fields of the flashing light status.
+template <Name field>
+using FlashingLightStatusField = State<Signal, flashing_light_status_object, "", field>;
+inline constexpr FlashingLightStatusField<"gclf"> flashing_light_status_gateway_coded_functions;
+inline constexpr FlashingLightStatusField<"fld"> flashing_light_status_fog_lamps_day;
+inline constexpr FlashingLightStatusField<"fln"> flashing_light_status_fog_lamps_night;
+inline constexpr FlashingLightStatusField<"hbd"> flashing_light_status_high_beam_day;
+inline constexpr FlashingLightStatusField<"hbn"> flashing_light_status_high_beam_night;
+inline constexpr FlashingLightStatusField<"lbd"> flashing_light_status_low_beam_day;
+inline constexpr FlashingLightStatusField<"lbn"> flashing_light_status_low_beam_night;
+inline constexpr FlashingLightStatusField<"dtrld"> flashing_light_status_day_time_running_day;
+inline constexpr FlashingLightStatusField<"dtrln"> flashing_light_status_day_time_running_night;
 
 // 4.2.4.
 

@@ -88,47 +88,33 @@ inline constexpr State<LocalVoltage, sound_status_roof_bar_object, "Sound status
 
 // 4.2.22.
 
-inline constexpr State<Order, blue_light_flasher_command_object, "", "ffr">
-    blue_light_flasher_command_front_right;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "ffl">
-    blue_light_flasher_command_front_left;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "rfr">
-    blue_light_flasher_command_rear_right;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "rfl">
-    blue_light_flasher_command_rear_left;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "sfr">
-    blue_light_flasher_command_side_right;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "sfl">
-    blue_light_flasher_command_side_left;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "tlfr">
-    blue_light_flasher_command_trunk_lid_right;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "tlfl">
-    blue_light_flasher_command_trunk_lid_left;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "mfr">
-    blue_light_flasher_command_mirror_right;
-inline constexpr State<Order, blue_light_flasher_command_object, "", "mfl">
-    blue_light_flasher_command_mirror_left;
+/// Handles of the fields of the blue light flasher command.
+template <Name field>
+using BlueLightFlasherCommandField = State<Order, blue_light_flasher_command_object, "", field>;
+inline constexpr BlueLightFlasherCommandField<"ffr"> blue_light_flasher_command_front_right;
+inline constexpr BlueLightFlasherCommandField<"ffl"> blue_light_flasher_command_front_left;
+inline constexpr BlueLightFlasherCommandField<"rfr"> blue_light_flasher_command_rear_right;
+inline constexpr BlueLightFlasherCommandField<"rfl"> blue_light_flasher_command_rear_left;
+inline constexpr BlueLightFlasherCommandField<"sfr"> blue_light_flasher_command_side_right;
+inline constexpr BlueLightFlasherCommandField<"sfl"> blue_light_flasher_command_side_left;
+inline constexpr BlueLightFlasherCommandField<"tlfr"> blue_light_flasher_command_trunk_lid_right;
+inline constexpr BlueLightFlasherCommandField<"tlfl"> blue_light_flasher_command_trunk_lid_left;
+inline constexpr BlueLightFlasherCommandField<"mfr"> blue_light_flasher_command_mirror_right;
+inline constexpr BlueLightFlasherCommandField<"mfl"> blue_light_flasher_command_mirror_left;
 
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "ffr">
-    blue_light_flasher_status_front_right;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "ffl">
-    blue_light_flasher_status_front_left;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "rfr">
-    blue_light_flasher_status_rear_right;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "rfl">
-    blue_light_flasher_status_rear_left;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "sfr">
-    blue_light_flasher_status_side_right;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "sfl">
-    blue_light_flasher_status_side_left;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "tlfr">
-    blue_light_flasher_status_trunk_lid_right;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "tlfl">
-    blue_light_flasher_status_trunk_lid_left;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "mfr">
-    blue_light_flasher_status_mirror_right;
-inline constexpr State<Signal, blue_light_flasher_status_object, "", "mfl">
-    blue_light_flasher_status_mirror_left;
+/// Handles of the fields of the blue light flasher status.
+template <Name field>
+using BlueLightFlasherStatusField = State<Signal, blue_light_flasher_status_object, "", field>;
+inline constexpr BlueLightFlasherStatusField<"ffr"> blue_light_flasher_status_front_right;
+inline constexpr BlueLightFlasherStatusField<"ffl"> blue_light_flasher_status_front_left;
+inline constexpr BlueLightFlasherStatusField<"rfr"> blue_light_flasher_status_rear_right;
+inline constexpr BlueLightFlasherStatusField<"rfl"> blue_light_flasher_status_rear_left;
+inline constexpr BlueLightFlasherStatusField<"sfr"> blue_light_flasher_status_side_right;
+inline constexpr BlueLightFlasherStatusField<"sfl"> blue_light_flasher_status_side_left;
+inline constexpr BlueLightFlasherStatusField<"tlfr"> blue_light_flasher_status_trunk_lid_right;
+inline constexpr BlueLightFlasherStatusField<"tlfl"> blue_light_flasher_status_trunk_lid_left;
+inline constexpr BlueLightFlasherStatusField<"mfr"> blue_light_flasher_status_mirror_right;
+inline constexpr BlueLightFlasherStatusField<"mfl"> blue_light_flasher_status_mirror_left;
 
 // Lights, by their printed names: "mlb1" to "mlb4", "alb1" to "alb16", "af1" to "af16" ...
 
