@@ -365,40 +365,6 @@ void TerminalUnit::report_warnings() {
   report_one(functional_warnings_status_fresh_air_system_inactive, TerminalWarning::air_inactive);
 }
 
-// Keys.
-
-void TerminalUnit::press(NumberPadKey key) {
-  number_pad_.press(key);
-  tell(TerminalPart::number_pad);
-}
-void TerminalUnit::release(NumberPadKey key) {
-  number_pad_.release(key);
-  tell(TerminalPart::number_pad);
-}
-void TerminalUnit::press(FunctionKey key) {
-  function_keys_.press(key);
-  tell(TerminalPart::function_pad);
-}
-void TerminalUnit::release(FunctionKey key) {
-  function_keys_.release(key);
-  tell(TerminalPart::function_pad);
-}
-void TerminalUnit::press(ControlKey key) {
-  control_keys_.press(key);
-  tell(TerminalPart::control_pad);
-}
-void TerminalUnit::release(ControlKey key) {
-  control_keys_.release(key);
-  tell(TerminalPart::control_pad);
-}
-void TerminalUnit::press(TipSwitch key) {
-  switch_pad_.press(key);
-  tell(TerminalPart::switch_pad);
-}
-void TerminalUnit::release(TipSwitch key) {
-  switch_pad_.release(key);
-  tell(TerminalPart::switch_pad);
-}
 void TerminalUnit::press_emergency_key(bool is_pressed) {
   emergency_key_ = is_pressed;
   tell(TerminalPart::emergency_key);

@@ -64,22 +64,18 @@ class TerminalUnit {
 
   // Actions of the person. A key stays pressed until it is released.
 
-  /// Reports that a key of the number pad is pressed.
-  void press(NumberPadKey key);
-  /// Reports that a key of the number pad is released.
-  void release(NumberPadKey key);
-  /// Reports that a function key is pressed.
-  void press(FunctionKey key);
-  /// Reports that a function key is released.
-  void release(FunctionKey key);
-  /// Reports that a control key is pressed.
-  void press(ControlKey key);
-  /// Reports that a control key is released.
-  void release(ControlKey key);
-  /// Reports that the tip switch is pressed.
-  void press(TipSwitch key);
-  /// Reports that the tip switch is released.
-  void release(TipSwitch key);
+  /// Reports that a key of a pad, or a tip switch, is pressed.
+  template <class Key>
+  void press(Key key) {
+    pad_of(key).keys.press(key);
+    tell(pad_of(key).part);
+  }
+  /// Reports that a key of a pad, or a tip switch, is released.
+  template <class Key>
+  void release(Key key) {
+    pad_of(key).keys.release(key);
+    tell(pad_of(key).part);
+  }
   /// Reports the emergency key.
   void press_emergency_key(bool is_pressed = true);
 
@@ -96,7 +92,17 @@ class TerminalUnit {
   }
 
  private:
+  template <class Key>
+  struct Pad {
+    TerminalPart part;
+    PressedKeys<Key>& keys;
+  };
+
   static constexpr unsigned number_of(TerminalPart part) { return static_cast<unsigned>(part); }
+  Pad<NumberPadKey> pad_of(NumberPadKey) { return {TerminalPart::number_pad, number_pad_}; }
+  Pad<FunctionKey> pad_of(FunctionKey) { return {TerminalPart::function_pad, function_keys_}; }
+  Pad<ControlKey> pad_of(ControlKey) { return {TerminalPart::control_pad, control_keys_}; }
+  Pad<TipSwitch> pad_of(TipSwitch) { return {TerminalPart::switch_pad, switch_pad_}; }
 
   void reset(ResetScope scope);
   void lost(NodeId node);
