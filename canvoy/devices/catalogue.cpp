@@ -1,8 +1,7 @@
 #include "canvoy/devices/catalogue.hpp"
 
-#include <algorithm>
-#include <array>
 #include <iterator>
+#include <vector>
 
 #include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia407/kinds.hpp"
@@ -35,39 +34,17 @@ constexpr const DeviceKind* others[] = {&cia401::io_kind,
                                         &cia417::input_panel_kind,
                                         &cia417::output_panel_kind,
                                         &cia417::landing_panel_kind,
-                                        &cia417::car_panel_kind,
-                                        &cia447::ivn_gateway_kind,
-                                        &cia447::fire_extinguishing_kind,
-                                        &cia447::emergency_fresh_air_kind,
-                                        &cia447::power_supply_kind,
-                                        &cia447::discrete_inputs_kind,
-                                        &cia447::terminal_kind,
-                                        &cia447::gps_kind,
-                                        &cia447::navigation_kind,
-                                        &cia447::taximeter_kind,
-                                        &cia447::printer_kind,
-                                        &cia447::real_time_clock_kind,
-                                        &cia447::driver_identification_kind,
-                                        &cia447::tariff_display_kind,
-                                        &cia447::taxi_alarm_kind,
-                                        &cia447::radio_kind,
-                                        &cia447::audio_switch_kind,
-                                        &cia447::roof_bar_light_kind,
-                                        &cia447::roof_bar_sound_kind,
-                                        &cia447::blue_light_kind,
-                                        &cia447::hands_free_kind};
+                                        &cia417::car_panel_kind};
 
-using Kinds = std::array<const DeviceKind*, std::size(others) + cia407::kind_count>;
-
-Kinds join() {
-  Kinds kinds{};
-  auto next = std::copy(std::begin(others), std::end(others), kinds.begin());
-  for (const DeviceKind& kind : cia407::kinds()) *next++ = &kind;
+std::vector<const DeviceKind*> join() {
+  std::vector<const DeviceKind*> kinds(std::begin(others), std::end(others));
+  for (const DeviceKind& kind : cia447::kinds()) kinds.push_back(&kind);
+  for (const DeviceKind& kind : cia407::kinds()) kinds.push_back(&kind);
   return kinds;
 }
 
-/// The kinds of CiA 407, and the others.
-const Kinds all_kinds = join();
+/// In the order of --list.
+const std::vector<const DeviceKind*> all_kinds = join();
 
 }  // namespace
 

@@ -23,25 +23,35 @@
 
 namespace canvoy::cia447 {
 
-const DeviceKind audio_switch_kind = car_device_kind<AudioSwitchKind>();
-const DeviceKind blue_light_kind = car_device_kind<BlueLightKind>();
-const DeviceKind discrete_inputs_kind = car_device_kind<DiscreteInputsKind>();
-const DeviceKind driver_identification_kind = car_device_kind<DriverIdentificationKind>();
-const DeviceKind emergency_fresh_air_kind = car_device_kind<EmergencyFreshAirKind>();
-const DeviceKind fire_extinguishing_kind = car_device_kind<FireExtinguishingKind>();
-const DeviceKind gps_kind = car_device_kind<GpsKind>();
-const DeviceKind hands_free_kind = car_device_kind<HandsFreeKind>();
-const DeviceKind ivn_gateway_kind = car_device_kind<IvnGatewayKind>();
-const DeviceKind navigation_kind = car_device_kind<NavigationKind>();
-const DeviceKind power_supply_kind = car_device_kind<PowerSupplyKind>();
-const DeviceKind printer_kind = car_device_kind<PrinterKind>();
-const DeviceKind radio_kind = car_device_kind<RadioKind>();
-const DeviceKind real_time_clock_kind = car_device_kind<RealTimeClockKind>();
-const DeviceKind roof_bar_light_kind = car_device_kind<RoofBarLightKind>();
-const DeviceKind roof_bar_sound_kind = car_device_kind<RoofBarSoundKind>();
-const DeviceKind tariff_display_kind = car_device_kind<TariffDisplayKind>();
-const DeviceKind taxi_alarm_kind = car_device_kind<TaxiAlarmKind>();
-const DeviceKind taximeter_kind = car_device_kind<TaximeterKind>();
-const DeviceKind terminal_kind = car_device_kind<TerminalKind>();
+namespace {
+
+const DeviceKind all[] = {
+    car_device_kind<IvnGatewayKind>(),
+    car_device_kind<FireExtinguishingKind>(),
+    car_device_kind<EmergencyFreshAirKind>(),
+    car_device_kind<PowerSupplyKind>(),
+    car_device_kind<DiscreteInputsKind>(),
+    car_device_kind<TerminalKind>(),
+    car_device_kind<GpsKind>(),
+    car_device_kind<NavigationKind>(),
+    car_device_kind<TaximeterKind>(),
+    car_device_kind<PrinterKind>(),
+    car_device_kind<RealTimeClockKind>(),
+    car_device_kind<DriverIdentificationKind>(),
+    car_device_kind<TariffDisplayKind>(),
+    car_device_kind<TaxiAlarmKind>(),
+    car_device_kind<RadioKind>(),
+    car_device_kind<AudioSwitchKind>(),
+    car_device_kind<RoofBarLightKind>(),
+    car_device_kind<RoofBarSoundKind>(),
+    car_device_kind<BlueLightKind>(),
+    car_device_kind<HandsFreeKind>(),
+};
+
+}  // namespace
+
+std::span<const DeviceKind> kinds() {
+  return all;
+}
 
 }  // namespace canvoy::cia447

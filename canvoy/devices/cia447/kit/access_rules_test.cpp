@@ -7,7 +7,6 @@
 #include <string>
 
 #include "canvoy/devices/catalogue.hpp"
-#include "canvoy/devices/cia447/kinds.hpp"
 #include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/profiles/cia447.hpp"
 
@@ -98,8 +97,8 @@ TEST_P(EveryVirtualDevice, HasCommandsThatMayBeWrittenAsDoNotCare) {
 /// Consumed objects of devices that count and record are written only by their provider; the client
 /// on the default channel is not known (0800 0021h).
 TEST_P(EveryVirtualDevice, TakesWhatItConsumesUnlessItCountsByIt) {
-  const bool counts =
-      unit == taximeter_kind.car_unit || unit == driver_identification_kind.car_unit;
+  const bool counts = unit == find_device_kind("taximeter")->car_unit ||
+                      unit == find_device_kind("driver-identification")->car_unit;
   const std::uint32_t expected = counts ? 0x0800'0021 : 0;
   for (const ObjectInfo* object : unit->consumes) {
     for (const EntryInfo& entry : object->entries()) {
