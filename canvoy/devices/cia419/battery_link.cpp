@@ -1,6 +1,5 @@
 #include "canvoy/devices/cia419/battery_link.hpp"
 
-
 namespace canvoy::cia419 {
 
 namespace {

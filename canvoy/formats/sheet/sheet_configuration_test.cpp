@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-
 namespace canvoy::formats::sheet_configuration_test {
 namespace {
 

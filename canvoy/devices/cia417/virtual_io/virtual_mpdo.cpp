@@ -1,6 +1,5 @@
 #include "canvoy/devices/cia417/virtual_io/virtual_mpdo.hpp"
 
-
 namespace canvoy::cia417 {
 
 constexpr AccessHandlers VirtualMpdoProducer::hook_calls[] = {

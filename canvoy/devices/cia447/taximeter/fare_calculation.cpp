@@ -1,6 +1,5 @@
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
 
-
 namespace canvoy::cia447 {
 
 namespace {
