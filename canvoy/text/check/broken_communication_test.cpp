@@ -31,11 +31,6 @@ Way answers(std::string_view name, Cases found_by, Change change) {
             return true;
           }};
 }
-/// A frame to the device that is changed; false: it is lost.
-template <class Change>
-Way hears(std::string_view name, Cases found_by, Change change) {
-  return {name, std::move(found_by), {}, change};
-}
 
 bool always(const Middle& /*middle*/, const Frame& /*frame*/) {
   return true;
@@ -91,12 +86,12 @@ std::vector<Way> sdo_ways() {
                   change_code(frame, AbortCode::general);
                 }
               }),
-      hears("1 is written as 2", {"sdo-15"},
-            [](Middle& middle, Frame& frame) {
-              const bool is_it = is_download(middle, frame, 0x1017) && frame.data[0] == 0x2B;
-              if (is_it && frame.data[4] == 1 && frame.data[5] == 0) frame.data[4] = 2;
-              return true;
-            }),
+      to_device("1 is written as 2", {"sdo-15"},
+                [](Middle& middle, Frame& frame) {
+                  const bool is_it = is_download(middle, frame, 0x1017) && frame.data[0] == 0x2B;
+                  if (is_it && frame.data[4] == 1 && frame.data[5] == 0) frame.data[4] = 2;
+                  return true;
+                }),
       answers("a value without its size is refused", {"sdo-16"},
               [](Middle& middle, Frame& frame) {
                 if (is_asked_by(middle, 0x22)) abort_with(frame, AbortCode::general);
@@ -178,84 +173,84 @@ std::vector<Way> guarding_ways() {
     middle.add_later(10ms, middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
   };
   return {
-      {"the toggle bit stands still",
-       {"guarding-01"},
-       [is_guarded](Middle& middle, Frame& frame) {
-         if (is_guarded(middle, frame)) frame.data[0] &= 0x7F;
-         return true;
-       }},
-      {"answers say pre-operational in operational",
-       {"guarding-02"},
-       [is_guarded](Middle& middle, Frame& frame) {
-         const bool is_it = is_guarded(middle, frame) && (frame.data[0] & 0x7F) == 5;
-         if (is_it) frame.data[0] = static_cast<std::uint8_t>((frame.data[0] & 0x80) | 0x7F);
-         return true;
-       }},
-      {"the toggle bit begins with 1",
-       {"guarding-03"},
-       [is_guarded](Middle& middle, Frame& frame) {
-         if (is_guarded(middle, frame)) frame.data[0] ^= 0x80;
-         return true;
-       }},
-      {"the end of its life is not told",
-       {"guarding-04"},
-       [](Middle& middle, Frame& frame) {
-         return frame.id != middle.emergencies() || middle.value(0x100D) == 0;
-       }},
-      hears("a life that goes on is an emergency", {"guarding-05"},
-            [asks, alarm](Middle& middle, Frame& frame) {
-              if (asks(middle, frame) && middle.value(0x100D) != 0) alarm(middle);
-              return true;
-            }),
-      hears("no life is an emergency", {"guarding-06"},
-            [asks, alarm](Middle& middle, Frame& frame) {
-              const bool is_it = asks(middle, frame) && middle.value(0x1017) == 0;
-              if (is_it && middle.value(0x100D) == 0) alarm(middle);
-              return true;
-            }),
-      hears("it is guarded beside heartbeats", {"both-01"},
-            [asks](Middle& middle, Frame& frame) {
-              const bool is_it = asks(middle, frame) && middle.value(0x1017) != 0;
-              if (is_it) middle.add(middle.states(), {0x7F});
-              return true;
-            }),
-      hears("it is not guarded again behind heartbeats", {"both-02"},
-            [asks](Middle& middle, Frame& frame) {
-              if (is_download(middle, frame, 0x1017)) {
-                const unsigned ms = load<std::uint16_t>(&frame.data[4]);
-                middle.count = ms == 1000 ? 1 : ms == 0 && middle.count == 1 ? 2 : 0;
-              }
-              return !asks(middle, frame) || middle.count != 2;
-            }),
-      hears("supervision begins without a heartbeat", {"heartbeat-06"},
-            [](Middle& middle, Frame& frame) {
-              const bool is_it = is_download(middle, frame, 0x1016) && frame.data[4] == 100;
-              const bool is_beat = frame.id == can_id::error_control + node_id_max;
-              if (is_it || is_beat) middle.cancel_later();
-              if (is_it) {
-                middle.add_later(300ms, middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
-              }
-              return true;
-            }),
-      hears("heartbeats in time are an emergency", {"heartbeat-07"},
-            [alarm](Middle& middle, Frame& frame) {
-              const bool is_beat = frame.id == can_id::error_control + node_id_max;
-              if (is_beat && (middle.value(0x1016, 1) & 0xFFFF) == 200) alarm(middle);
-              return true;
-            }),
+      from_device("the toggle bit stands still", {"guarding-01"},
+                  [is_guarded](Middle& middle, Frame& frame) {
+                    if (is_guarded(middle, frame)) frame.data[0] &= 0x7F;
+                    return true;
+                  }),
+      from_device("answers say pre-operational in operational", {"guarding-02"},
+                  [is_guarded](Middle& middle, Frame& frame) {
+                    const bool is_it = is_guarded(middle, frame) && (frame.data[0] & 0x7F) == 5;
+                    if (is_it)
+                      frame.data[0] = static_cast<std::uint8_t>((frame.data[0] & 0x80) | 0x7F);
+                    return true;
+                  }),
+      from_device("the toggle bit begins with 1", {"guarding-03"},
+                  [is_guarded](Middle& middle, Frame& frame) {
+                    if (is_guarded(middle, frame)) frame.data[0] ^= 0x80;
+                    return true;
+                  }),
+      from_device("the end of its life is not told", {"guarding-04"},
+                  [](Middle& middle, Frame& frame) {
+                    return frame.id != middle.emergencies() || middle.value(0x100D) == 0;
+                  }),
+      to_device("a life that goes on is an emergency", {"guarding-05"},
+                [asks, alarm](Middle& middle, Frame& frame) {
+                  if (asks(middle, frame) && middle.value(0x100D) != 0) alarm(middle);
+                  return true;
+                }),
+      to_device("no life is an emergency", {"guarding-06"},
+                [asks, alarm](Middle& middle, Frame& frame) {
+                  const bool is_it = asks(middle, frame) && middle.value(0x1017) == 0;
+                  if (is_it && middle.value(0x100D) == 0) alarm(middle);
+                  return true;
+                }),
+      to_device("it is guarded beside heartbeats", {"both-01"},
+                [asks](Middle& middle, Frame& frame) {
+                  const bool is_it = asks(middle, frame) && middle.value(0x1017) != 0;
+                  if (is_it) middle.add(middle.states(), {0x7F});
+                  return true;
+                }),
+      to_device("it is not guarded again behind heartbeats", {"both-02"},
+                [asks](Middle& middle, Frame& frame) {
+                  if (is_download(middle, frame, 0x1017)) {
+                    const unsigned ms = load<std::uint16_t>(&frame.data[4]);
+                    middle.count = ms == 1000 ? 1 : ms == 0 && middle.count == 1 ? 2 : 0;
+                  }
+                  return !asks(middle, frame) || middle.count != 2;
+                }),
+      to_device(
+          "supervision begins without a heartbeat", {"heartbeat-06"},
+          [](Middle& middle, Frame& frame) {
+            const bool is_it = is_download(middle, frame, 0x1016) && frame.data[4] == 100;
+            const bool is_beat = frame.id == can_id::error_control + node_id_max;
+            if (is_it || is_beat) middle.cancel_later();
+            if (is_it) {
+              middle.add_later(300ms, middle.emergencies(), {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
+            }
+            return true;
+          }),
+      to_device("heartbeats in time are an emergency", {"heartbeat-07"},
+                [alarm](Middle& middle, Frame& frame) {
+                  const bool is_beat = frame.id == can_id::error_control + node_id_max;
+                  if (is_beat && (middle.value(0x1016, 1) & 0xFFFF) == 200) alarm(middle);
+                  return true;
+                }),
       takes("a node is watched twice", {"heartbeat-08"}, 0x1016, is_sub<2>),
   };
 }
 
 std::vector<Way> state_ways() {
   return {
-      {"pre-operational is told as operational",
-       {"nmt-01", "nmt-07", "nmt-08", "nmt-09", "heartbeat-04", "guarding-02"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_it = frame.id == middle.states() && (frame.data[0] & 0x7F) == 0x7F;
-         if (is_it) frame.data[0] = static_cast<std::uint8_t>((frame.data[0] & 0x80) | 5);
-         return true;
-       }},
+      from_device("pre-operational is told as operational",
+                  {"nmt-01", "nmt-07", "nmt-08", "nmt-09", "heartbeat-04", "guarding-02"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_it =
+                        frame.id == middle.states() && (frame.data[0] & 0x7F) == 0x7F;
+                    if (is_it)
+                      frame.data[0] = static_cast<std::uint8_t>((frame.data[0] & 0x80) | 5);
+                    return true;
+                  }),
       answers("1014h is a CAN-ID of error control",
               {"emergency-01", "heartbeat-05", "guarding-04", "rpdo-12"},
               [](Middle& middle, Frame& frame) {
@@ -263,17 +258,17 @@ std::vector<Way> state_ways() {
                 frame.data[4] = 0x01;
                 frame.data[5] = 0x07;
               }),
-      hears("1003h keeps what is cleared", {"emergency-05"},
-            [](Middle& middle, Frame& frame) {
-              if (!is_download(middle, frame, 0x1003) || frame.data[4] != 0) return true;
-              middle.add(middle.answers(), {0x60, 0x03, 0x10, 0, 0, 0, 0, 0});
-              return false;
-            }),
-      hears("an emergency comes though 1014h is invalid", {"emergency-07"},
-            [](Middle& middle, Frame& frame) {
-              if (is_download(middle, frame, 0x1014)) frame.data[7] &= 0x7F;
-              return true;
-            }),
+      to_device("1003h keeps what is cleared", {"emergency-05"},
+                [](Middle& middle, Frame& frame) {
+                  if (!is_download(middle, frame, 0x1003) || frame.data[4] != 0) return true;
+                  middle.add(middle.answers(), {0x60, 0x03, 0x10, 0, 0, 0, 0, 0});
+                  return false;
+                }),
+      to_device("an emergency comes though 1014h is invalid", {"emergency-07"},
+                [](Middle& middle, Frame& frame) {
+                  if (is_download(middle, frame, 0x1014)) frame.data[7] &= 0x7F;
+                  return true;
+                }),
       answers("1010h:01h has a reserved bit", {"store-01"},
               [](Middle& middle, Frame& frame) {
                 if (is_upload(middle, frame, 0x1010) && frame.data[3] == 1) frame.data[4] |= 0x10U;
@@ -368,59 +363,57 @@ std::vector<Way> tpdo_ways() {
       takes(
           "a TPDO maps nine bytes", {"tpdo-11"}, 0x1A00,
           [](const Middle&, const Frame& frame) { return is_code(frame, AbortCode::pdo_length); }),
-      hears("an invalid TPDO follows SYNC", {"tpdo-16"},
-            [](Middle& middle, Frame& frame) {
-              const bool is_invalid = (middle.value(0x1800, 1) & CobId::bit31) != 0;
-              const bool runs = middle.state() == NmtState::operational;
-              if (frame.id == can_id::sync && is_invalid && runs) middle.add(0x6B0, {0, 0});
-              return true;
-            }),
-      hears("the event timer has no effect", {"tpdo-17"},
-            [](Middle& middle, Frame& frame) {
-              const bool is_it = is_download(middle, frame, 0x1800) && frame.data[3] == 5;
-              if (is_it && frame.data[4] == 100) frame.data[4] = 0;
-              return true;
-            }),
+      to_device("an invalid TPDO follows SYNC", {"tpdo-16"},
+                [](Middle& middle, Frame& frame) {
+                  const bool is_invalid = (middle.value(0x1800, 1) & CobId::bit31) != 0;
+                  const bool runs = middle.state() == NmtState::operational;
+                  if (frame.id == can_id::sync && is_invalid && runs) middle.add(0x6B0, {0, 0});
+                  return true;
+                }),
+      to_device("the event timer has no effect", {"tpdo-17"},
+                [](Middle& middle, Frame& frame) {
+                  const bool is_it = is_download(middle, frame, 0x1800) && frame.data[3] == 5;
+                  if (is_it && frame.data[4] == 100) frame.data[4] = 0;
+                  return true;
+                }),
   };
 }
 
 std::vector<Way> sync_ways() {
   constexpr std::uint32_t sync_id = 0x6B2;
   return {
-      {"each second SYNC is lost",
-       {"sync-05"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_plain_sync = frame.id == sync_id && frame.length == 0;
-         return !is_plain_sync || ++middle.count % 2 != 0;
-       }},
-      hears("SYNC go on without bit 30", {"sync-06"},
-            [](Middle& middle, Frame& frame) {
-              const bool was_producer = (middle.value(0x1005) & CobId::bit30) != 0;
-              const bool is_set = is_download(middle, frame, 0x1005);
-              const bool is_off = is_set && (frame.data[7] & 0x40) == 0;
-              if (is_set) middle.cancel_later();
-              if (is_off && was_producer) middle.add_later(30ms, sync_id, {});
-              return true;
-            }),
+      from_device("each second SYNC is lost", {"sync-05"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_plain_sync = frame.id == sync_id && frame.length == 0;
+                    return !is_plain_sync || ++middle.count % 2 != 0;
+                  }),
+      to_device("SYNC go on without bit 30", {"sync-06"},
+                [](Middle& middle, Frame& frame) {
+                  const bool was_producer = (middle.value(0x1005) & CobId::bit30) != 0;
+                  const bool is_set = is_download(middle, frame, 0x1005);
+                  const bool is_off = is_set && (frame.data[7] & 0x40) == 0;
+                  if (is_set) middle.cancel_later();
+                  if (is_off && was_producer) middle.add_later(30ms, sync_id, {});
+                  return true;
+                }),
       takes("the CAN-ID of a SYNC producer changes", {"sync-07"}, 0x1005,
             [](const Middle& middle, const Frame&) { return was_asked(middle, 0x4000'06BA); }),
-      hears("SYNC go on in stopped", {"sync-08"},
-            [](Middle& middle, Frame& frame) {
-              const bool is_producer = (middle.value(0x1005) & CobId::bit30) != 0;
-              const bool is_stop = frame.id == can_id::nmt && frame.data[0] == 2;
-              if (is_stop && is_producer) middle.add_later(50ms, sync_id, {});
-              return true;
-            }),
+      to_device("SYNC go on in stopped", {"sync-08"},
+                [](Middle& middle, Frame& frame) {
+                  const bool is_producer = (middle.value(0x1005) & CobId::bit30) != 0;
+                  const bool is_stop = frame.id == can_id::nmt && frame.data[0] == 2;
+                  if (is_stop && is_producer) middle.add_later(50ms, sync_id, {});
+                  return true;
+                }),
       takes("1019h takes 241", {"sync-09"}, 0x1019,
             [](const Middle&, const Frame& frame) {
               return !is_code(frame, AbortCode::device_state);
             }),
-      {"SYNC always has counter 1",
-       {"sync-10"},
-       [](Middle&, Frame& frame) {
-         if (frame.id == sync_id && frame.length == 1) frame.data[0] = 1;
-         return true;
-       }},
+      from_device("SYNC always has counter 1", {"sync-10"},
+                  [](Middle&, Frame& frame) {
+                    if (frame.id == sync_id && frame.length == 1) frame.data[0] = 1;
+                    return true;
+                  }),
       takes("1019h changes with a period", {"sync-11"}, 0x1019,
             [](const Middle&, const Frame& frame) {
               return is_code(frame, AbortCode::device_state);

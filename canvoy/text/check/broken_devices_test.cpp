@@ -14,297 +14,263 @@ constexpr NodeId any_node = 0;
 
 std::vector<Way> sdo_ways() {
   return {
-      {"another abort code for what is not there",
-       {"sdo-04", "sdo-07"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x0FFF, AbortCode::no_object)) {
-           change_code(frame, AbortCode::unsupported_access);
-         }
-         return true;
-       }},
-      {"a sub-index that is not there is an object that is not there",
-       {"sdo-05", "sdo-08"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x1018, AbortCode::no_sub_index)) {
-           change_code(frame, AbortCode::no_object);
-         }
-         return true;
-       }},
-      {"a variable has a sub-index 01h",
-       {"sdo-06"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x1000, AbortCode::no_sub_index)) frame.data[0] = 0x43;
-         return true;
-       }},
-      {"what is read only cannot be accessed",
-       {"sdo-09", "sdo-10", "dictionary-05"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x1000, AbortCode::read_only)) {
-           change_code(frame, AbortCode::unsupported_access);
-         }
-         return true;
-       }},
-      {"a command that there is not is general trouble",
-       {"sdo-11"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && middle.last_request.data[0] == 0xE0) {
-           change_code(frame, AbortCode::general);
-         }
-         return true;
-       }},
-      {"a toggle bit that stands still",
-       {"sdo-24"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_segment =
-             frame.id == middle.answers() && (middle.last_request.data[0] & 0xEF) == 0x60;
-         if (is_segment && frame.data[0] < 0x20) frame.data[0] &= 0xEF;
-         return true;
-       }},
-      {"one byte more is announced than comes",
-       {"sdo-24"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && frame.data[0] == 0x41) ++frame.data[4];
-         return true;
-       }},
-      {"an abort is answered",
-       {"sdo-14", "sdo-21", "sdo-23"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.requests() && frame.data[0] == 0x80) {
-           middle.add(middle.answers(), {0x80, 0, 0, 0, 0, 0, 0, 8});
-         }
-         return true;
-       }},
-      {"a remote frame is answered",
-       {"sdo-30"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.requests() && frame.is_remote()) {
-           middle.add(middle.answers(), {0x80, 0, 0, 0, 0, 0, 0, 8});
-         }
-         return true;
-       }},
-      {"requests to another node are answered",
-       {"sdo-29"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.requests() + 1) {
-           middle.add(middle.answers(), {0x43, 0, 0x10, 0, 0, 0, 0, 0});
-         }
-         return true;
-       }},
-      {"a second answer to 1000h",
-       {"sdo-31"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && frame.data[0] == 0x43 && index_of(frame) == 0x1000) {
-           middle.repeat(frame);
-         }
-         return true;
-       }},
+      from_device("another abort code for what is not there", {"sdo-04", "sdo-07"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x0FFF, AbortCode::no_object)) {
+                      change_code(frame, AbortCode::unsupported_access);
+                    }
+                    return true;
+                  }),
+      from_device("a sub-index that is not there is an object that is not there",
+                  {"sdo-05", "sdo-08"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x1018, AbortCode::no_sub_index)) {
+                      change_code(frame, AbortCode::no_object);
+                    }
+                    return true;
+                  }),
+      from_device("a variable has a sub-index 01h", {"sdo-06"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x1000, AbortCode::no_sub_index)) frame.data[0] = 0x43;
+                    return true;
+                  }),
+      from_device("what is read only cannot be accessed", {"sdo-09", "sdo-10", "dictionary-05"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x1000, AbortCode::read_only)) {
+                      change_code(frame, AbortCode::unsupported_access);
+                    }
+                    return true;
+                  }),
+      from_device("a command that there is not is general trouble", {"sdo-11"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && middle.last_request.data[0] == 0xE0) {
+                      change_code(frame, AbortCode::general);
+                    }
+                    return true;
+                  }),
+      from_device("a toggle bit that stands still", {"sdo-24"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_segment = frame.id == middle.answers() &&
+                                            (middle.last_request.data[0] & 0xEF) == 0x60;
+                    if (is_segment && frame.data[0] < 0x20) frame.data[0] &= 0xEF;
+                    return true;
+                  }),
+      from_device("one byte more is announced than comes", {"sdo-24"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && frame.data[0] == 0x41) ++frame.data[4];
+                    return true;
+                  }),
+      to_device("an abort is answered", {"sdo-14", "sdo-21", "sdo-23"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == middle.requests() && frame.data[0] == 0x80) {
+                    middle.add(middle.answers(), {0x80, 0, 0, 0, 0, 0, 0, 8});
+                  }
+                  return true;
+                }),
+      to_device("a remote frame is answered", {"sdo-30"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == middle.requests() && frame.is_remote()) {
+                    middle.add(middle.answers(), {0x80, 0, 0, 0, 0, 0, 0, 8});
+                  }
+                  return true;
+                }),
+      to_device("requests to another node are answered", {"sdo-29"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == middle.requests() + 1) {
+                    middle.add(middle.answers(), {0x43, 0, 0x10, 0, 0, 0, 0, 0});
+                  }
+                  return true;
+                }),
+      from_device("a second answer to 1000h", {"sdo-31"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && frame.data[0] == 0x43 &&
+                        index_of(frame) == 0x1000) {
+                      middle.repeat(frame);
+                    }
+                    return true;
+                  }),
   };
 }
 
 std::vector<Way> dictionary_ways() {
   return {
-      {"1001h has two bytes",
-       {"sdo-02", "dictionary-01", "dictionary-06"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && frame.data[0] == 0x4F && index_of(frame) == 0x1001) {
-           frame.data[0] = 0x4B;
-         }
-         return true;
-       }},
-      {"another product code than in the data sheet, and than by LSS",
-       {"dictionary-07", "lss-01"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && frame.data[0] == 0x43 && index_of(frame) == 0x1018 &&
-             frame.data[3] == 2) {
-           frame.data[4] ^= 1U;
-         }
-         return true;
-       }},
-      {"1018h can be written",
-       {"dictionary-05"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x1018, AbortCode::read_only)) say_written(frame);
-         return true;
-       }},
-      {"1018h:00h says one entry less",
-       {"dictionary-07", "dictionary-10"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && frame.data[0] == 0x4F && index_of(frame) == 0x1018) {
-           --frame.data[4];
-         }
-         return true;
-       }},
-      {"1018h:03h is not there",
-       {"dictionary-02", "lss-01"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.answers() && index_of(frame) == 0x1018 && frame.data[3] == 3) {
-           frame.data[0] = 0x80;
-           change_code(frame, AbortCode::no_sub_index);
-         }
-         return true;
-       }},
+      from_device("1001h has two bytes", {"sdo-02", "dictionary-01", "dictionary-06"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && frame.data[0] == 0x4F &&
+                        index_of(frame) == 0x1001) {
+                      frame.data[0] = 0x4B;
+                    }
+                    return true;
+                  }),
+      from_device("another product code than in the data sheet, and than by LSS",
+                  {"dictionary-07", "lss-01"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && frame.data[0] == 0x43 &&
+                        index_of(frame) == 0x1018 && frame.data[3] == 2) {
+                      frame.data[4] ^= 1U;
+                    }
+                    return true;
+                  }),
+      from_device("1018h can be written", {"dictionary-05"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x1018, AbortCode::read_only)) say_written(frame);
+                    return true;
+                  }),
+      from_device("1018h:00h says one entry less", {"dictionary-07", "dictionary-10"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && frame.data[0] == 0x4F &&
+                        index_of(frame) == 0x1018) {
+                      --frame.data[4];
+                    }
+                    return true;
+                  }),
+      from_device("1018h:03h is not there", {"dictionary-02", "lss-01"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.answers() && index_of(frame) == 0x1018 &&
+                        frame.data[3] == 3) {
+                      frame.data[0] = 0x80;
+                      change_code(frame, AbortCode::no_sub_index);
+                    }
+                    return true;
+                  }),
   };
 }
 
 std::vector<Way> state_ways() {
   return {
-      {"a boot-up message is lost",
-       {"nmt-04", "nmt-05", "nmt-06"},
-       [](Middle& middle, Frame& frame) {
-         return !(frame.id == middle.states() && frame.length == 1 && frame.data[0] == 0);
-       }},
-      {"a boot-up message has two bytes",
-       {"nmt-04", "nmt-05", "nmt-06"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.states() && frame.data[0] == 0) frame.length = 2;
-         return true;
-       }},
-      {"operational is told as pre-operational",
-       {"nmt-02", "nmt-07", "heartbeat-04"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.states() && frame.data[0] == 5) frame.data[0] = 0x7F;
-         return true;
-       }},
-      {"SDO is served in stopped",
-       {"nmt-03"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.requests() && middle.state() == NmtState::stopped) {
-           middle.add(middle.answers(), {0x43, 0, 0x10, 0, 0, 0, 0, 0});
-         }
-         return true;
-       }},
-      {"a command for another node is followed",
-       {"nmt-08"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == can_id::nmt && frame.data[1] != any_node) frame.data[1] = middle.node();
-         return true;
-       }},
-      {"command 03h starts the node",
-       {"nmt-09"},
-       {},
-       [](Middle&, Frame& frame) {
-         if (frame.id == can_id::nmt && frame.data[0] == 3) frame.data[0] = 1;
-         return true;
-       }},
-      {"each third heartbeat is lost",
-       {"heartbeat-01", "heartbeat-02"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_beat = frame.id == middle.states() && frame.data[0] == 0x7F;
-         return !is_beat || ++middle.count % 3 != 0;
-       }},
-      {"heartbeats go on with 1017h = 0",
-       {"heartbeat-03"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         const bool is_off = frame.id == middle.requests() && frame.data[0] == 0x2B &&
-                             index_of(frame) == 0x1017 && frame.data[4] == 0 && frame.data[5] == 0;
-         if (is_off) frame.data[4] = 50;
-         return true;
-       }},
+      from_device("a boot-up message is lost", {"nmt-04", "nmt-05", "nmt-06"},
+                  [](Middle& middle, Frame& frame) {
+                    return !(frame.id == middle.states() && frame.length == 1 &&
+                             frame.data[0] == 0);
+                  }),
+      from_device("a boot-up message has two bytes", {"nmt-04", "nmt-05", "nmt-06"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.states() && frame.data[0] == 0) frame.length = 2;
+                    return true;
+                  }),
+      from_device("operational is told as pre-operational", {"nmt-02", "nmt-07", "heartbeat-04"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.states() && frame.data[0] == 5) frame.data[0] = 0x7F;
+                    return true;
+                  }),
+      to_device("SDO is served in stopped", {"nmt-03"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == middle.requests() && middle.state() == NmtState::stopped) {
+                    middle.add(middle.answers(), {0x43, 0, 0x10, 0, 0, 0, 0, 0});
+                  }
+                  return true;
+                }),
+      to_device("a command for another node is followed", {"nmt-08"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == can_id::nmt && frame.data[1] != any_node)
+                    frame.data[1] = middle.node();
+                  return true;
+                }),
+      to_device("command 03h starts the node", {"nmt-09"},
+                [](Middle&, Frame& frame) {
+                  if (frame.id == can_id::nmt && frame.data[0] == 3) frame.data[0] = 1;
+                  return true;
+                }),
+      from_device("each third heartbeat is lost", {"heartbeat-01", "heartbeat-02"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_beat = frame.id == middle.states() && frame.data[0] == 0x7F;
+                    return !is_beat || ++middle.count % 3 != 0;
+                  }),
+      to_device("heartbeats go on with 1017h = 0", {"heartbeat-03"},
+                [](Middle& middle, Frame& frame) {
+                  const bool is_off = frame.id == middle.requests() && frame.data[0] == 0x2B &&
+                                      index_of(frame) == 0x1017 && frame.data[4] == 0 &&
+                                      frame.data[5] == 0;
+                  if (is_off) frame.data[4] = 50;
+                  return true;
+                }),
   };
 }
 
 std::vector<Way> emergency_ways() {
   return {
-      {"an emergency has seven bytes",
-       {"emergency-02"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.emergencies() && frame.length == 8) frame.length = 7;
-         return true;
-       }},
-      {"an emergency tells no error register",
-       {"emergency-03"},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == middle.emergencies() && frame.length == 8) frame.data[2] = 0;
-         return true;
-       }},
-      {"the end of an error is not told",
-       {"emergency-08"},
-       [](Middle& middle, Frame& frame) {
-         return frame.id != middle.emergencies() || frame.length != 8 || frame.data[1] != 0;
-       }},
-      {"an emergency of another code",
-       {"heartbeat-05", "emergency-04"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_lost = frame.id == middle.emergencies() && frame.length == 8 &&
-                              frame.data[1] == 0x81 && frame.data[0] == 0x30;
-         if (is_lost) frame.data[0] = 0x40;
-         return true;
-       }},
-      {"1003h:00h takes 1",
-       {"emergency-06"},
-       [](Middle& middle, Frame& frame) {
-         const bool is_one = middle.last_request.data[4] == 1;
-         if (is_one && is_abort(frame, 0x1003, AbortCode::value_range)) say_written(frame);
-         return true;
-       }},
-      {"1014h takes what is restricted",
-       {"can-id-03"},
-       [](Middle&, Frame& frame) {
-         if (is_abort(frame, 0x1014, AbortCode::value_range)) say_written(frame);
-         return true;
-       }},
+      from_device("an emergency has seven bytes", {"emergency-02"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.emergencies() && frame.length == 8) frame.length = 7;
+                    return true;
+                  }),
+      from_device("an emergency tells no error register", {"emergency-03"},
+                  [](Middle& middle, Frame& frame) {
+                    if (frame.id == middle.emergencies() && frame.length == 8) frame.data[2] = 0;
+                    return true;
+                  }),
+      from_device("the end of an error is not told", {"emergency-08"},
+                  [](Middle& middle, Frame& frame) {
+                    return frame.id != middle.emergencies() || frame.length != 8 ||
+                           frame.data[1] != 0;
+                  }),
+      from_device("an emergency of another code", {"heartbeat-05", "emergency-04"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_lost = frame.id == middle.emergencies() && frame.length == 8 &&
+                                         frame.data[1] == 0x81 && frame.data[0] == 0x30;
+                    if (is_lost) frame.data[0] = 0x40;
+                    return true;
+                  }),
+      from_device("1003h:00h takes 1", {"emergency-06"},
+                  [](Middle& middle, Frame& frame) {
+                    const bool is_one = middle.last_request.data[4] == 1;
+                    if (is_one && is_abort(frame, 0x1003, AbortCode::value_range))
+                      say_written(frame);
+                    return true;
+                  }),
+      from_device("1014h takes what is restricted", {"can-id-03"},
+                  [](Middle&, Frame& frame) {
+                    if (is_abort(frame, 0x1014, AbortCode::value_range)) say_written(frame);
+                    return true;
+                  }),
   };
 }
 
 std::vector<Way> pdo_ways() {
   const auto is_tpdo = [](const Frame& frame) { return frame.id == 0x6B0 && frame.is_plain(); };
   return {
-      {"a TPDO is a byte too short",
-       {"tpdo-12"},
-       [is_tpdo](Middle&, Frame& frame) {
-         if (is_tpdo(frame)) --frame.length;
-         return true;
-       }},
-      {"a TPDO carries something else",
-       {"tpdo-13"},
-       [is_tpdo](Middle&, Frame& frame) {
-         if (is_tpdo(frame)) frame.data[0] ^= 1U;
-         return true;
-       }},
-      {"a TPDO comes in pre-operational",
-       {"tpdo-14"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == can_id::sync && middle.state() == NmtState::pre_operational) {
-           middle.add(0x6B0, {0});
-         }
-         return true;
-       }},
-      {"a TPDO comes in stopped",
-       {"tpdo-15"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (frame.id == can_id::sync && middle.state() == NmtState::stopped) {
-           middle.add(0x6B0, {0});
-         }
-         return true;
-       }},
-      {"a reserved transmission type is taken",
-       {"tpdo-04"},
-       [](Middle&, Frame& frame) {
-         const bool is_type = frame.data[3] == 2 && index_of(frame) >= 0x1800;
-         if (is_type && is_abort(frame, index_of(frame), AbortCode::value_range)) {
-           say_written(frame);
-         }
-         return true;
-       }},
-      {"a TPDO comes twice",
-       {"tpdo-18", "tpdo-19", "sync-01", "sync-02", "sync-03", "sync-04"},
-       [is_tpdo](Middle& middle, Frame& frame) {
-         if (is_tpdo(frame)) middle.repeat(frame);
-         return true;
-       }},
-      {"an RPDO that is too short is no emergency",
-       {"rpdo-12"},
-       [](Middle& middle, Frame& frame) {
-         return frame.id != middle.emergencies() || frame.data[1] != 0x82;
-       }},
+      from_device("a TPDO is a byte too short", {"tpdo-12"},
+                  [is_tpdo](Middle&, Frame& frame) {
+                    if (is_tpdo(frame)) --frame.length;
+                    return true;
+                  }),
+      from_device("a TPDO carries something else", {"tpdo-13"},
+                  [is_tpdo](Middle&, Frame& frame) {
+                    if (is_tpdo(frame)) frame.data[0] ^= 1U;
+                    return true;
+                  }),
+      to_device("a TPDO comes in pre-operational", {"tpdo-14"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == can_id::sync && middle.state() == NmtState::pre_operational) {
+                    middle.add(0x6B0, {0});
+                  }
+                  return true;
+                }),
+      to_device("a TPDO comes in stopped", {"tpdo-15"},
+                [](Middle& middle, Frame& frame) {
+                  if (frame.id == can_id::sync && middle.state() == NmtState::stopped) {
+                    middle.add(0x6B0, {0});
+                  }
+                  return true;
+                }),
+      from_device("a reserved transmission type is taken", {"tpdo-04"},
+                  [](Middle&, Frame& frame) {
+                    const bool is_type = frame.data[3] == 2 && index_of(frame) >= 0x1800;
+                    if (is_type && is_abort(frame, index_of(frame), AbortCode::value_range)) {
+                      say_written(frame);
+                    }
+                    return true;
+                  }),
+      from_device("a TPDO comes twice",
+                  {"tpdo-18", "tpdo-19", "sync-01", "sync-02", "sync-03", "sync-04"},
+                  [is_tpdo](Middle& middle, Frame& frame) {
+                    if (is_tpdo(frame)) middle.repeat(frame);
+                    return true;
+                  }),
+      from_device("an RPDO that is too short is no emergency", {"rpdo-12"},
+                  [](Middle& middle, Frame& frame) {
+                    return frame.id != middle.emergencies() || frame.data[1] != 0x82;
+                  }),
   };
 }
 

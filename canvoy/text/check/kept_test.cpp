@@ -88,14 +88,10 @@ bool pretends(Middle& middle, const Frame& frame, std::uint16_t index) {
 
 std::vector<Way> keeping_ways() {
   return {
-      {"it says that it stores, and does not",
-       {"store-04", "store-05"},
-       {},
-       [](Middle& middle, Frame& frame) { return pretends(middle, frame, 0x1010); }},
-      {"it says that it restores, and does not",
-       {"store-06"},
-       {},
-       [](Middle& middle, Frame& frame) { return pretends(middle, frame, 0x1011); }},
+      to_device("it says that it stores, and does not", {"store-04", "store-05"},
+                [](Middle& middle, Frame& frame) { return pretends(middle, frame, 0x1010); }),
+      to_device("it says that it restores, and does not", {"store-06"},
+                [](Middle& middle, Frame& frame) { return pretends(middle, frame, 0x1011); }),
       {"it restores at once",
        {"store-07"},
        [](Middle& middle, Frame& frame) {
@@ -110,14 +106,13 @@ std::vector<Way> keeping_ways() {
          if (is_signed_download(middle, frame, 0x1011)) middle.count = 1;
          return true;
        }},
-      {"it aborts what has the right signature",
-       {"store-04", "store-05", "store-06", "store-07"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (!is_signed_download(middle, frame, 0x1010)) return true;
-         middle.add(middle.answers(), {0x80, 0x10, 0x10, frame.data[3], 0x20, 0, 0, 8});
-         return false;
-       }},
+      to_device("it aborts what has the right signature",
+                {"store-04", "store-05", "store-06", "store-07"},
+                [](Middle& middle, Frame& frame) {
+                  if (!is_signed_download(middle, frame, 0x1010)) return true;
+                  middle.add(middle.answers(), {0x80, 0x10, 0x10, frame.data[3], 0x20, 0, 0, 8});
+                  return false;
+                }),
   };
 }
 

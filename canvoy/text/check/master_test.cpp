@@ -64,52 +64,44 @@ Way with_value_0(std::string_view name, std::string_view found_by, std::uint16_t
 
 std::vector<Way> master_ways() {
   return {
-      {"it asks no slave what it is",
-       {"302-boot-01", "302-configure-03"},
-       [](Middle&, Frame& frame) { return frame.id != to_slave || frame.data[0] != 0x40; }},
-      {"it starts nodes that are no slaves",
-       {"302-boot-02"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (is_download(middle, frame, 0x1F81)) middle.count = frame.data[4];
-         if (frame.id == 0x77F && middle.count == 0) middle.add(can_id::nmt, {0x01, 127});
-         return true;
-       }},
+      from_device(
+          "it asks no slave what it is", {"302-boot-01", "302-configure-03"},
+          [](Middle&, Frame& frame) { return frame.id != to_slave || frame.data[0] != 0x40; }),
+      to_device("it starts nodes that are no slaves", {"302-boot-02"},
+                [](Middle& middle, Frame& frame) {
+                  if (is_download(middle, frame, 0x1F81)) middle.count = frame.data[4];
+                  if (frame.id == 0x77F && middle.count == 0) middle.add(can_id::nmt, {0x01, 127});
+                  return true;
+                }),
       with_value_0("it starts a slave of any device type", "302-boot-03", 0x1F84),
       with_value_0("it starts a slave of any vendor", "302-boot-04", 0x1F85),
-      {"it starts slaves whatever bit 3 says",
-       {"302-boot-05"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (is_download(middle, frame, 0x1F80)) frame.data[4] &= 0xF7;
-         return true;
-       }},
-      {"it resets the communication of a slave in place of the slave",
-       {"302-request-01"},
-       [](Middle&, Frame& frame) {
-         if (frame.id == can_id::nmt && frame.data[0] == 0x81) frame.data[0] = 0x82;
-         return true;
-       }},
-      {"it says that it configures, and does not",
-       {"302-configure-01"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (!is_download(middle, frame, 0x1F25) || frame.data[4] != 'c') return true;
-         middle.add(middle.answers(), {0x60, 0x25, 0x1F, 127, 0, 0, 0, 0});
-         return false;
-       }},
-      {"it takes any signature",
-       {"302-configure-02"},
-       {},
-       [](Middle& middle, Frame& frame) {
-         if (is_download(middle, frame, 0x1F25)) store(&frame.data[4], std::uint32_t{0x666E'6F63});
-         return true;
-       }},
-      {"what it writes to a slave is lost",
-       {"302-configure-01", "302-configure-03"},
-       [](Middle&, Frame& frame) {
-         return frame.id != to_slave || (frame.data[0] & 0xE0) != 0x20;
-       }},
+      to_device("it starts slaves whatever bit 3 says", {"302-boot-05"},
+                [](Middle& middle, Frame& frame) {
+                  if (is_download(middle, frame, 0x1F80)) frame.data[4] &= 0xF7;
+                  return true;
+                }),
+      from_device("it resets the communication of a slave in place of the slave",
+                  {"302-request-01"},
+                  [](Middle&, Frame& frame) {
+                    if (frame.id == can_id::nmt && frame.data[0] == 0x81) frame.data[0] = 0x82;
+                    return true;
+                  }),
+      to_device("it says that it configures, and does not", {"302-configure-01"},
+                [](Middle& middle, Frame& frame) {
+                  if (!is_download(middle, frame, 0x1F25) || frame.data[4] != 'c') return true;
+                  middle.add(middle.answers(), {0x60, 0x25, 0x1F, 127, 0, 0, 0, 0});
+                  return false;
+                }),
+      to_device("it takes any signature", {"302-configure-02"},
+                [](Middle& middle, Frame& frame) {
+                  if (is_download(middle, frame, 0x1F25))
+                    store(&frame.data[4], std::uint32_t{0x666E'6F63});
+                  return true;
+                }),
+      from_device("what it writes to a slave is lost", {"302-configure-01", "302-configure-03"},
+                  [](Middle&, Frame& frame) {
+                    return frame.id != to_slave || (frame.data[0] & 0xE0) != 0x20;
+                  }),
   };
 }
 

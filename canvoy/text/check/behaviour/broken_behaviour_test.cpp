@@ -40,198 +40,176 @@ std::vector<BrokenDevice> lift_ways() {
       {"lift-door", door_command("it does not close without a limit of its force",
                                  {"417-4-door-08"}, 0x0, no_action)},
       {"lift-door", door_command("it does not stop", {"417-4-door-05"}, 0x8, no_action)},
+      {"lift-door", to_device("it takes the commands of door 2", {"417-4-door-13"},
+                              [](Middle&, Frame& frame) {
+                                const bool is_command =
+                                    is_door_command(frame, no_action) || is_door_command(frame, 1);
+                                if (is_command && frame.data[3] >> 4 == open_it)
+                                  change_door_command(frame, open_it);
+                                return true;
+                              })},
       {"lift-door",
-       {"it takes the commands of door 2",
-        {"417-4-door-13"},
-        {},
-        [](Middle&, Frame& frame) {
-          const bool is_command = is_door_command(frame, no_action) || is_door_command(frame, 1);
-          if (is_command && frame.data[3] >> 4 == open_it) change_door_command(frame, open_it);
-          return true;
-        }}},
-      {"lift-door",
-       {"it does not tell that it opens",
-        {"417-4-door-03", "417-4-door-15"},
-        [](Middle&, Frame& frame) { return frame.id != 0x201 || frame.data[1] >> 4 != 5; }}},
+       from_device(
+           "it does not tell that it opens", {"417-4-door-03", "417-4-door-15"},
+           [](Middle&, Frame& frame) { return frame.id != 0x201 || frame.data[1] >> 4 != 5; })},
+      {"lift-call-controller", to_device("it serves the calls of lift 2", {"417-4-call-07"},
+                                         [](Middle&, Frame& frame) {
+                                           if (frame.length == 6 && frame.data[2] == 2)
+                                             frame.data[2] = 1;
+                                           return true;
+                                         })},
+      {"lift-call-controller", to_device("a button that is let go is a call", {"417-4-call-08"},
+                                         [](Middle&, Frame& frame) {
+                                           if (frame.length == 6 && frame.data[0] == 2 &&
+                                               frame.data[5] == 0)
+                                             frame.data[5] = 1;
+                                           return true;
+                                         })},
       {"lift-call-controller",
-       {"it serves the calls of lift 2",
-        {"417-4-call-07"},
-        {},
-        [](Middle&, Frame& frame) {
-          if (frame.length == 6 && frame.data[2] == 2) frame.data[2] = 1;
-          return true;
-        }}},
-      {"lift-call-controller",
-       {"a button that is let go is a call",
-        {"417-4-call-08"},
-        {},
-        [](Middle&, Frame& frame) {
-          if (frame.length == 6 && frame.data[0] == 2 && frame.data[5] == 0) frame.data[5] = 1;
-          return true;
-        }}},
-      {"lift-call-controller",
-       {"it affirms a call to a floor that there is not",
-        {"417-4-call-13"},
-        [](Middle&, Frame& frame) {
-          if (frame.length == 6 && frame.data[3] == 0xFE) frame.data[5] = 0x81;
-          return true;
-        }}},
-      {"lift-load",
-       {"it sets a reserved bit",
-        {"417-4-load-08"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6482) && frame.data[3] == 1) frame.data[4] |= 0x80U;
-          return true;
-        }}},
+       from_device("it affirms a call to a floor that there is not", {"417-4-call-13"},
+                   [](Middle&, Frame& frame) {
+                     if (frame.length == 6 && frame.data[3] == 0xFE) frame.data[5] = 0x81;
+                     return true;
+                   })},
+      {"lift-load", from_device("it sets a reserved bit", {"417-4-load-08"},
+                                [](Middle& middle, Frame& frame) {
+                                  if (is_upload(middle, frame, 0x6482) && frame.data[3] == 1)
+                                    frame.data[4] |= 0x80U;
+                                  return true;
+                                })},
       {"lift-position",
-       {"a preset is another one",
-        {"417-4-position-01", "417-4-position-02"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x6382)) frame.data[4] ^= 1U;
-          return true;
-        }}},
+       to_device("a preset is another one", {"417-4-position-01", "417-4-position-02"},
+                 [](Middle& middle, Frame& frame) {
+                   if (is_download(middle, frame, 0x6382)) frame.data[4] ^= 1U;
+                   return true;
+                 })},
   };
 }
 
 std::vector<BrokenDevice> car_and_bus_ways() {
   return {
-      {"radio",
-       {"it is not turned off",
-        {"447-3-radio-02", "447-3-radio-04", "447-3-radio-05", "447-3-radio-08"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFC) frame.data[4] = 0xFF;
-          return true;
-        }}},
-      {"radio",
-       {"it says that it takes a reserved command",
-        {"447-3-radio-06"},
-        [](Middle&, Frame& frame) {
-          if (is_abort(frame, 0x6116, AbortCode::value_range)) say_written(frame);
-          return true;
-        }}},
-      {"radio",
-       {"\"do not care\" turns it off",
-        {"447-3-radio-07"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFF) frame.data[4] = 0xFC;
-          return true;
-        }}},
-      {"blue-light",
-       {"reserved bits of its status are 0",
-        {"447-3-blue-light-07"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6141)) {
-            frame.data[6] &= 0x0F;
-            frame.data[7] = 0;
-          }
-          return true;
-        }}},
+      {"radio", to_device("it is not turned off",
+                          {"447-3-radio-02", "447-3-radio-04", "447-3-radio-05", "447-3-radio-08"},
+                          [](Middle& middle, Frame& frame) {
+                            if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFC)
+                              frame.data[4] = 0xFF;
+                            return true;
+                          })},
+      {"radio", from_device("it says that it takes a reserved command", {"447-3-radio-06"},
+                            [](Middle&, Frame& frame) {
+                              if (is_abort(frame, 0x6116, AbortCode::value_range))
+                                say_written(frame);
+                              return true;
+                            })},
+      {"radio", to_device("\"do not care\" turns it off", {"447-3-radio-07"},
+                          [](Middle& middle, Frame& frame) {
+                            if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFF)
+                              frame.data[4] = 0xFC;
+                            return true;
+                          })},
+      {"blue-light", from_device("reserved bits of its status are 0", {"447-3-blue-light-07"},
+                                 [](Middle& middle, Frame& frame) {
+                                   if (is_upload(middle, frame, 0x6141)) {
+                                     frame.data[6] &= 0x0F;
+                                     frame.data[7] = 0;
+                                   }
+                                   return true;
+                                 })},
       {"taximeter",
-       {"it says that it takes the pulses of a stranger",
-        {"447-3-taximeter-01"},
-        [](Middle& middle, Frame& frame) {
-          if (frame.id == middle.answers() && frame.data[0] == 0x80 && index_of(frame) == 0x6055) {
-            say_written(frame);
-          }
-          return true;
-        }}},
+       from_device("it says that it takes the pulses of a stranger", {"447-3-taximeter-01"},
+                   [](Middle& middle, Frame& frame) {
+                     if (frame.id == middle.answers() && frame.data[0] == 0x80 &&
+                         index_of(frame) == 0x6055) {
+                       say_written(frame);
+                     }
+                     return true;
+                   })},
       {"next-stop-indicator-text",
-       {"it says that it takes a character set that there is not",
-        {"407-display-09", "407-display-10"},
-        [](Middle&, Frame& frame) {
-          if (is_abort(frame, 0x6205, AbortCode::value_range)) say_written(frame);
-          return true;
-        }}},
-      {"ticket-canceller",
-       {"it takes the events of another device",
-        {"407-event-05"},
-        {},
-        [](Middle&, Frame& frame) {
-          constexpr std::uint8_t canceller = 0x04;
-          const bool is_rpdo = frame.id > 0x180 && frame.id < 0x6C0 && frame.length == 4;
-          if (is_rpdo && !frame.is_remote()) frame.data[3] = canceller;
-          return true;
-        }}},
-      {"operator",
-       {"its warning is lost",
-        {"852-alarm-01", "852-alarm-02"},
-        [](Middle& middle, Frame& frame) {
-          return frame.id != middle.emergencies() || frame.data[0] != 0x80 || frame.data[1] != 0;
-        }}},
-      {"operator",
-       {"reserved bits of a memory function are 1",
-        {"852-joystick-10"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6000) && frame.data[3] == 1) frame.data[4] |= 0x80U;
-          return true;
-        }}},
+       from_device("it says that it takes a character set that there is not",
+                   {"407-display-09", "407-display-10"},
+                   [](Middle&, Frame& frame) {
+                     if (is_abort(frame, 0x6205, AbortCode::value_range)) say_written(frame);
+                     return true;
+                   })},
+      {"ticket-canceller", to_device("it takes the events of another device", {"407-event-05"},
+                                     [](Middle&, Frame& frame) {
+                                       constexpr std::uint8_t canceller = 0x04;
+                                       const bool is_rpdo = frame.id > 0x180 && frame.id < 0x6C0 &&
+                                                            frame.length == 4;
+                                       if (is_rpdo && !frame.is_remote()) frame.data[3] = canceller;
+                                       return true;
+                                     })},
+      {"operator", from_device("its warning is lost", {"852-alarm-01", "852-alarm-02"},
+                               [](Middle& middle, Frame& frame) {
+                                 return frame.id != middle.emergencies() || frame.data[0] != 0x80 ||
+                                        frame.data[1] != 0;
+                               })},
+      {"operator", from_device("reserved bits of a memory function are 1", {"852-joystick-10"},
+                               [](Middle& middle, Frame& frame) {
+                                 if (is_upload(middle, frame, 0x6000) && frame.data[3] == 1)
+                                   frame.data[4] |= 0x80U;
+                                 return true;
+                               })},
   };
 }
 
 std::vector<BrokenDevice> charger_ways() {
   return {
+      {"charger", from_device("it never says that it is ready", {"419-status-03"},
+                              [](Middle& middle, Frame& frame) {
+                                if (is_upload(middle, frame, 0x6001)) frame.data[4] = 0;
+                                return true;
+                              })},
+      {"charger", from_device("each second status is lost", {"419-status-01"},
+                              [](Middle& middle, Frame& frame) {
+                                return frame.id != 0x27F || ++middle.count % 2 != 0;
+                              })},
       {"charger",
-       {"it never says that it is ready",
-        {"419-status-03"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6001)) frame.data[4] = 0;
-          return true;
-        }}},
-      {"charger",
-       {"each second status is lost",
-        {"419-status-01"},
-        [](Middle& middle, Frame& frame) { return frame.id != 0x27F || ++middle.count % 2 != 0; }}},
-      {"charger",
-       {"it says that it stays operational without its battery",
-        {"419-loss-01"},
-        [](Middle& middle, Frame& frame) {
-          if (frame.id == middle.states() && frame.data[0] == 0x7F) frame.data[0] = 5;
-          return true;
-        }}},
-      {"charger",
-       {"it does not tell that its battery is lost",
-        {"419-loss-02"},
-        [](Middle& middle, Frame& frame) {
-          return frame.id != middle.emergencies() || frame.data[1] != 0x81;
-        }}},
-      {"charger",
-       {"it counts on though no current is asked for",
-        {"419-charge-02", "419-charge-03", "419-charge-04", "419-charge-05"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6052)) {
-            store(&frame.data[4], static_cast<std::uint16_t>(++middle.count));
-          }
-          return true;
-        }}},
-      {"charger",
-       {"it counts more than the battery asks for",
-        {"419-charge-01", "419-charge-02", "419-charge-03", "419-charge-04", "419-charge-05"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6052)) {
-            store(&frame.data[4], static_cast<std::uint16_t>(++middle.count * 100));
-          }
-          return true;
-        }}},
-      {"charger",
-       {"it does not write back what was returned",
-        {"419-charge-06"},
-        [](Middle&, Frame& frame) {
-          const bool is_download = (frame.data[0] & 0xE0) == 0x20 && index_of(frame) == 0x6052;
-          return frame.id != can_id::sdo_request + node_id_max || !is_download;
-        }}},
-      {"charger",
-       {"its TPDOs have other COB-IDs than the RPDOs of the battery",
-        {"419-link-04", "419-status-01", "419-status-02"},
-        [](Middle& middle, Frame& frame) {
-          const bool is_tpdo = index_of(frame) >= 0x1800 && index_of(frame) <= 0x1802;
-          if (is_tpdo && is_upload(middle, frame, index_of(frame)) && frame.data[3] == 1) {
-            frame.data[4] ^= 1U;
-          }
-          return true;
-        }}},
+       from_device("it says that it stays operational without its battery", {"419-loss-01"},
+                   [](Middle& middle, Frame& frame) {
+                     if (frame.id == middle.states() && frame.data[0] == 0x7F) frame.data[0] = 5;
+                     return true;
+                   })},
+      {"charger", from_device("it does not tell that its battery is lost", {"419-loss-02"},
+                              [](Middle& middle, Frame& frame) {
+                                return frame.id != middle.emergencies() || frame.data[1] != 0x81;
+                              })},
+      {"charger", from_device("it counts on though no current is asked for",
+                              {"419-charge-02", "419-charge-03", "419-charge-04", "419-charge-05"},
+                              [](Middle& middle, Frame& frame) {
+                                if (is_upload(middle, frame, 0x6052)) {
+                                  store(&frame.data[4], static_cast<std::uint16_t>(++middle.count));
+                                }
+                                return true;
+                              })},
+      {"charger", from_device("it counts more than the battery asks for",
+                              {"419-charge-01", "419-charge-02", "419-charge-03", "419-charge-04",
+                               "419-charge-05"},
+                              [](Middle& middle, Frame& frame) {
+                                if (is_upload(middle, frame, 0x6052)) {
+                                  store(&frame.data[4],
+                                        static_cast<std::uint16_t>(++middle.count * 100));
+                                }
+                                return true;
+                              })},
+      {"charger", from_device("it does not write back what was returned", {"419-charge-06"},
+                              [](Middle&, Frame& frame) {
+                                const bool is_download =
+                                    (frame.data[0] & 0xE0) == 0x20 && index_of(frame) == 0x6052;
+                                return frame.id != can_id::sdo_request + node_id_max ||
+                                       !is_download;
+                              })},
+      {"charger", from_device("its TPDOs have other COB-IDs than the RPDOs of the battery",
+                              {"419-link-04", "419-status-01", "419-status-02"},
+                              [](Middle& middle, Frame& frame) {
+                                const bool is_tpdo =
+                                    index_of(frame) >= 0x1800 && index_of(frame) <= 0x1802;
+                                if (is_tpdo && is_upload(middle, frame, index_of(frame)) &&
+                                    frame.data[3] == 1) {
+                                  frame.data[4] ^= 1U;
+                                }
+                                return true;
+                              })},
       {"charger",
        {"it takes a state of charge beyond 100 %",
         {"419-battery-10"},
@@ -245,22 +223,19 @@ std::vector<BrokenDevice> charger_ways() {
           }
           return true;
         }}},
-      {"charger",
-       {"it leaves operational whatever 1029h says",
-        {"419-loss-03"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x1029)) frame.data[4] = 0;
-          return true;
-        }}},
-      {"charger",
-       {"its PDOs are valid without a battery",
-        {"419-link-03", "419-link-05", "419-link-06"},
-        [](Middle& middle, Frame& frame) {
-          const bool is_rpdo = is_upload(middle, frame, 0x1400) || is_upload(middle, frame, 0x1401);
-          if (is_rpdo && frame.data[3] == 1) frame.data[7] &= 0x7F;
-          return true;
-        }}},
+      {"charger", to_device("it leaves operational whatever 1029h says", {"419-loss-03"},
+                            [](Middle& middle, Frame& frame) {
+                              if (is_download(middle, frame, 0x1029)) frame.data[4] = 0;
+                              return true;
+                            })},
+      {"charger", from_device("its PDOs are valid without a battery",
+                              {"419-link-03", "419-link-05", "419-link-06"},
+                              [](Middle& middle, Frame& frame) {
+                                const bool is_rpdo = is_upload(middle, frame, 0x1400) ||
+                                                     is_upload(middle, frame, 0x1401);
+                                if (is_rpdo && frame.data[3] == 1) frame.data[7] &= 0x7F;
+                                return true;
+                              })},
   };
 }
 

@@ -50,13 +50,12 @@ std::vector<BrokenDevice> car_ways() {
   return {
       {"gps", cleared("reserved bits of its status are 0", "447-3-gps-03", 0x60B2, 7, 0xF0)},
       {"gps", cleared("reserved bits of its date are 0", "447-3-gps-04", 0x60B3, 7, 0xFC)},
-      {"gps",
-       {"it has a fix in two dimensions at most",
-        {"447-3-gps-01"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x60B2) && (frame.data[7] & 0x0F) == 2) --frame.data[7];
-          return true;
-        }}},
+      {"gps", from_device("it has a fix in two dimensions at most", {"447-3-gps-01"},
+                          [](Middle& middle, Frame& frame) {
+                            if (is_upload(middle, frame, 0x60B2) && (frame.data[7] & 0x0F) == 2)
+                              --frame.data[7];
+                            return true;
+                          })},
       {"gps", lost_tpdo("it does not tell where it is", "447-3-gps-02", 8)},
       {"navigation", taken("it takes a reserved start", "447-3-navigation-05", 0x60C3, {3})},
       {"navigation",
@@ -73,14 +72,12 @@ std::vector<BrokenDevice> car_ways() {
       {"driver-identification",
        cleared("it says no identification failure", "447-3-driver-04", 0x60FA, 4, 0x30)},
       {"driver-identification", lost_tpdo("it does not tell who drives", "447-3-driver-02", 1)},
-      {"roof-bar-sound",
-       {"it takes no volume",
-        {"447-3-sound-06"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x613A) && frame.data[3] == 1) frame.data[7] |= 0x3F;
-          return true;
-        }}},
+      {"roof-bar-sound", to_device("it takes no volume", {"447-3-sound-06"},
+                                   [](Middle& middle, Frame& frame) {
+                                     if (is_download(middle, frame, 0x613A) && frame.data[3] == 1)
+                                       frame.data[7] |= 0x3F;
+                                     return true;
+                                   })},
       {"roof-bar-sound", changed("\"do not care\" turns it off", {"447-3-sound-05"}, 0x613A,
                                  0xFFFF'FFFF, 0xFFFF'FF00)},
       {"roof-bar-sound",
@@ -97,33 +94,28 @@ std::vector<BrokenDevice> bus_ways() {
       {"ticket-canceller",
        changed("it stays blocked", {"407-canceller-01", "407-canceller-03"}, 0x6116, 0x00, 0x80)},
       {"ticket-printer",
-       {"it does not say that it has no paper",
-        {"407-printer-02", "407-printer-03"},
-        [](Middle& middle, Frame& frame) {
-          return frame.id != middle.emergencies() || frame.data[1] != 0xFF;
-        }}},
-      {"ticket-printer",
-       {"it does not say that it has paper again",
-        {"407-printer-03"},
-        [](Middle& middle, Frame& frame) {
-          return frame.id != middle.emergencies() || frame.data[1] != 0x00;
-        }}},
+       from_device("it does not say that it has no paper", {"407-printer-02", "407-printer-03"},
+                   [](Middle& middle, Frame& frame) {
+                     return frame.id != middle.emergencies() || frame.data[1] != 0xFF;
+                   })},
+      {"ticket-printer", from_device("it does not say that it has paper again", {"407-printer-03"},
+                                     [](Middle& middle, Frame& frame) {
+                                       return frame.id != middle.emergencies() ||
+                                              frame.data[1] != 0x00;
+                                     })},
       {"passenger-counter",
-       {"who comes in is who goes out",
-        {"407-counter-01", "407-counter-04"},
-        [](Middle& middle, Frame& frame) {
-          if (is_upload(middle, frame, 0x6700)) std::swap(frame.data[4], frame.data[5]);
-          return true;
-        }}},
+       from_device("who comes in is who goes out", {"407-counter-01", "407-counter-04"},
+                   [](Middle& middle, Frame& frame) {
+                     if (is_upload(middle, frame, 0x6700)) std::swap(frame.data[4], frame.data[5]);
+                     return true;
+                   })},
       {"passenger-counter", lost_tpdo("it does not tell what it has counted", "407-counter-02", 2)},
       {"passenger-counting-manager",
-       {"nobody goes out",
-        {"407-counting-01", "407-counting-02"},
-        {},
-        [](Middle& middle, Frame& frame) {
-          if (is_download(middle, frame, 0x6700)) frame.data[4] = 0;
-          return true;
-        }}},
+       to_device("nobody goes out", {"407-counting-01", "407-counting-02"},
+                 [](Middle& middle, Frame& frame) {
+                   if (is_download(middle, frame, 0x6700)) frame.data[4] = 0;
+                   return true;
+                 })},
   };
 }
 
@@ -154,13 +146,12 @@ std::vector<BrokenDevice> lift_ways() {
                                    0x6160, 0xFFFF'7DFF, 0xFFFF'7FFF)},
       {"lift-input-panel", changed("nor the other from the one", {"417-4-button-05"}, 0x6160,
                                    0xFFFF'7EFF, 0xFFFF'7FFF)},
-      {"lift-input-panel",
-       {"it tells another floor",
-        {"417-4-button-01", "417-4-button-04", "417-4-button-05"},
-        [](Middle&, Frame& frame) {
-          if (is_tpdo(frame, 6)) frame.data[3] ^= 0x40U;
-          return true;
-        }}},
+      {"lift-input-panel", from_device("it tells another floor",
+                                       {"417-4-button-01", "417-4-button-04", "417-4-button-05"},
+                                       [](Middle&, Frame& frame) {
+                                         if (is_tpdo(frame, 6)) frame.data[3] ^= 0x40U;
+                                         return true;
+                                       })},
       {"lift-output-panel", own_byte("it takes records for other lifts", "417-4-lamp-03", 2, 0x01)},
       {"lift-output-panel",
        own_byte("it takes records for other floors", "417-4-lamp-04", 3, 0x01)},

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "canvoy/canopen/protocol/little_endian.hpp"
@@ -89,6 +90,17 @@ struct Way {
   std::function<bool(Middle&, Frame&)> from_device = {};
   std::function<bool(Middle&, Frame&)> to_device = {};
 };
+
+/// A defect of what the device sends; `change` is Way::from_device.
+inline Way from_device(std::string_view name, std::vector<std::string_view> found_by,
+                       std::function<bool(Middle&, Frame&)> change) {
+  return {name, std::move(found_by), std::move(change), {}};
+}
+/// A defect of what the device receives; `change` is Way::to_device.
+inline Way to_device(std::string_view name, std::vector<std::string_view> found_by,
+                     std::function<bool(Middle&, Frame&)> change) {
+  return {name, std::move(found_by), {}, std::move(change)};
+}
 
 /// Identifiers of the failed cases.
 inline std::vector<std::string> failures(const Report& report) {
