@@ -10,6 +10,8 @@
 namespace canvoy::cia301_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto everything = describe(
     cia301::profile, cia301::device_type(0x0002'0191), cia301::error_register_object,
     cia301::manufacturer_status_object, cia301::error_history(8), cia301::sync(),
@@ -30,15 +32,6 @@ constexpr auto everything = describe(
     cia301::scanner_lists(3, 2), cia301::dispatching_lists(254));
 constexpr auto layout = lay_out_device<everything>();
 
-constexpr unsigned u8 = 5, u16 = 6, u32 = 7, u64 = 0x1B;
-
-struct Expected {
-  unsigned index;
-  unsigned sub;
-  unsigned type;
-  const char* access;
-  std::uint64_t initial;
-};
 /// Of node-ID 9.
 constexpr Expected entries[] = {
     {0x1000, 0, u32, "ro", 0x00020191}, {0x1001, 0, u8, "ro T", 0},
@@ -80,15 +73,7 @@ constexpr Expected entries[] = {
 
 TEST(Cia301, CommunicationObjectsHaveTheirTypesAccessAndDefaults) {
   const DeviceMemory device(layout.tables(), 9);
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message() << std::hex << expected.index << "h " << expected.sub);
-    const auto entry = device.dictionary.find(static_cast<std::uint16_t>(expected.index),
-                                              static_cast<std::uint8_t>(expected.sub));
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-  }
+  expect_entries(device.dictionary, entries);
 }
 
 TEST(Cia301, ArraysEndWhereTheDeviceSays) {

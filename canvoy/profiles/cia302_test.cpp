@@ -12,21 +12,14 @@
 namespace canvoy::cia302_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto manager =
     describe(cia301::device_type(0), cia301::error_register_object,
              cia301::identity({.vendor_id = 1}), cia302::configuration(), cia302::store_dcf_object,
              cia302::dcf_format_object, cia302::slave_eds_object, cia302::slave_eds_format_object);
 constexpr auto manager_layout = lay_out_device<manager>();
 
-constexpr unsigned u8 = 5, u32 = 7, domain = 15;
-
-struct Expected {
-  std::uint16_t index;
-  std::uint8_t sub;
-  unsigned type;
-  const char* access;
-  std::uint64_t initial;
-};
 constexpr Expected entries[] = {
     {0x1F20, 0, u8, "const", 127}, {0x1F20, 1, domain, "rw", 0},   {0x1F20, 127, domain, "rw", 0},
     {0x1F21, 0, u8, "const", 127}, {0x1F21, 127, u8, "rw", 0},     {0x1F22, 0, u8, "const", 127},
@@ -36,20 +29,9 @@ constexpr Expected entries[] = {
     {0x1F27, 0, u8, "const", 127}, {0x1F27, 127, u32, "rw", 0},
 };
 
-void expect_entry(const DeviceMemory& device, const Expected& expected) {
-  SCOPED_TRACE(testing::Message() << std::hex << expected.index << "h " << unsigned{expected.sub});
-  const auto entry = device.dictionary.find(expected.index, expected.sub);
-  ASSERT_TRUE(entry);
-  EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-  EXPECT_EQ(access_text(entry->row->access), expected.access);
-  if (expected.type != domain) {
-    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-  }
-}
-
 TEST(Cia302, ConfigurationObjectsHaveTheirTypesAccessAndDefaults) {
   const DeviceMemory device(manager_layout.tables(), 9);
-  for (const Expected& expected : entries) expect_entry(device, expected);
+  expect_entries(device.dictionary, entries);
   EXPECT_EQ(device.dictionary.find(0x1F22, 128).abort(), AbortCode::no_sub_index);
   EXPECT_EQ(device.dictionary.find(0x1F25, 129).abort(), AbortCode::no_sub_index);
 }
@@ -73,7 +55,7 @@ constexpr Expected sdo_manager_entries[] = {
 
 TEST(Cia302, SdoManagerObjectsHaveTheirTypesAccessAndDefaults) {
   const DeviceMemory device(sdo_manager_layout.tables(), 9);
-  for (const Expected& expected : sdo_manager_entries) expect_entry(device, expected);
+  expect_entries(device.dictionary, sdo_manager_entries);
   EXPECT_EQ(device.dictionary.find(0x1F04, 0).abort(), AbortCode::no_object);
   EXPECT_EQ(device.dictionary.find(0x1283, 0).abort(), AbortCode::no_object);
 }

@@ -12,6 +12,8 @@
 namespace canvoy::cia418_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto full_battery = describe(
     cia418::battery({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
     cia418::battery_serial_number_object, cia418::battery_id_object,
@@ -25,15 +27,6 @@ constexpr auto small_battery = describe(cia418::battery(), cia301::identity({.ve
                                         cia301::heartbeat_producer(1000));
 constexpr auto small_layout = lay_out_device<small_battery>();
 
-constexpr unsigned u8 = 5, u16 = 6, u32 = 7, i16 = 3;  // as CiA 301 numbers the types
-
-struct Expected {
-  unsigned index;
-  unsigned sub;
-  unsigned type;
-  const char* access;
-  std::uint64_t initial;
-};
 /// Of node-ID 5.
 constexpr Expected entries[] = {
     {0x1000, 0, u32, "ro", 0x000001A2},
@@ -97,15 +90,7 @@ constexpr Expected entries[] = {
 
 TEST(Cia418, ObjectsHaveTheTypesAccessAndDefaultsOfTheFacts) {
   const DeviceMemory battery(full_layout.tables(), 5);
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message() << std::hex << expected.index << "h " << expected.sub);
-    const auto entry = battery.dictionary.find(static_cast<std::uint16_t>(expected.index),
-                                               static_cast<std::uint8_t>(expected.sub));
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-  }
+  expect_entries(battery.dictionary, entries);
 }
 
 TEST(Cia418, TheSmallestBatteryHasTheMandatoryObjectsOnly) {

@@ -9,6 +9,8 @@
 namespace canvoy::cia419_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto full_charger =
     describe(cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
              cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000));
@@ -18,94 +20,70 @@ constexpr auto small_charger = describe(cia419::charger(), cia301::identity({.ve
                                         cia301::heartbeat_producer(1000));
 constexpr auto small_layout = lay_out_device<small_charger>();
 
-struct Expected {
-  const char* clause;
-  unsigned index;
-  unsigned sub;
-  unsigned type;  ///< as CiA 301 numbers the types
-  const char* access;
-  std::uint64_t initial;
-};
-
-constexpr unsigned u8 = 5, u16 = 6, u32 = 7, i16 = 3;
-
 constexpr Expected communication_objects[] = {
-    {"6.2.1", 0x1000, 0, u32, "ro", 0x000001A3},
-    {"6.2.2", 0x1001, 0, u8, "ro T", 0},
+    {0x1000, 0, u32, "ro", 0x000001A3, "6.2.1"},
+    {0x1001, 0, u8, "ro T", 0, "6.2.2"},
     // 1st RPDO
-    {"6.2.3.2", 0x1400, 0, u8, "ro", 5},
-    {"6.2.3.2", 0x1400, 1, u32, "rw", 0x80000000},
-    {"6.2.3.2", 0x1400, 2, u8, "ro", 255},
-    {"6.2.3.2", 0x1400, 5, u16, "rw", 0},
-    {"6.2.3.3, errata 6", 0x1600, 0, u8, "ro", 2},
-    {"6.2.3.3", 0x1600, 1, u32, "ro", 0x60100010},
-    {"6.2.3.3", 0x1600, 2, u32, "ro", 0x60000008},
+    {0x1400, 0, u8, "ro", 5, "6.2.3.2"},
+    {0x1400, 1, u32, "rw", 0x80000000, "6.2.3.2"},
+    {0x1400, 2, u8, "ro", 255, "6.2.3.2"},
+    {0x1400, 5, u16, "rw", 0, "6.2.3.2"},
+    {0x1600, 0, u8, "ro", 2, "6.2.3.3, errata 6"},
+    {0x1600, 1, u32, "ro", 0x60100010, "6.2.3.3"},
+    {0x1600, 2, u32, "ro", 0x60000008, "6.2.3.3"},
     // 1st TPDO
-    {"6.2.4.2", 0x1800, 0, u8, "ro", 5},
-    {"6.2.4.2, errata 10", 0x1800, 1, u32, "rw", 0x80000000},
-    {"6.2.4.2", 0x1800, 2, u8, "ro", 255},
-    {"6.2.4.2, errata 7", 0x1800, 3, u16, "rw", 0},
-    {"6.2.4.2, errata 9", 0x1800, 5, u16, "rw", 200},
-    {"6.2.4.3, errata 6", 0x1A00, 0, u8, "ro", 1},
-    {"6.2.4.3", 0x1A00, 1, u32, "ro", 0x60010008},
+    {0x1800, 0, u8, "ro", 5, "6.2.4.2"},
+    {0x1800, 1, u32, "rw", 0x80000000, "6.2.4.2, errata 10"},
+    {0x1800, 2, u8, "ro", 255, "6.2.4.2"},
+    {0x1800, 3, u16, "rw", 0, "6.2.4.2, errata 7"},
+    {0x1800, 5, u16, "rw", 200, "6.2.4.2, errata 9"},
+    {0x1A00, 0, u8, "ro", 1, "6.2.4.3, errata 6"},
+    {0x1A00, 1, u32, "ro", 0x60010008, "6.2.4.3"},
     // 2nd RPDO
-    {"6.2.5.2", 0x1401, 0, u8, "ro", 5},
-    {"6.2.5.2", 0x1401, 1, u32, "rw", 0x80000000},
-    {"6.2.5.2", 0x1401, 2, u8, "ro", 255},
-    {"6.2.5.2", 0x1401, 5, u16, "rw", 0},
-    {"6.2.5.3, errata 11", 0x1601, 0, u8, "ro", 3},
-    {"6.2.5.3", 0x1601, 1, u32, "ro", 0x60100010},
-    {"6.2.5.3", 0x1601, 2, u32, "ro", 0x60000008},
-    {"6.2.5.3", 0x1601, 3, u32, "ro", 0x60600020},
+    {0x1401, 0, u8, "ro", 5, "6.2.5.2"},
+    {0x1401, 1, u32, "rw", 0x80000000, "6.2.5.2"},
+    {0x1401, 2, u8, "ro", 255, "6.2.5.2"},
+    {0x1401, 5, u16, "rw", 0, "6.2.5.2"},
+    {0x1601, 0, u8, "ro", 3, "6.2.5.3, errata 11"},
+    {0x1601, 1, u32, "ro", 0x60100010, "6.2.5.3"},
+    {0x1601, 2, u32, "ro", 0x60000008, "6.2.5.3"},
+    {0x1601, 3, u32, "ro", 0x60600020, "6.2.5.3"},
     // 2nd TPDO
-    {"6.2.6.2", 0x1801, 0, u8, "ro", 5},
-    {"6.2.6.2", 0x1801, 1, u32, "rw", 0x80000000},
-    {"6.2.6.2", 0x1801, 2, u8, "ro", 255},
-    {"6.2.6.2", 0x1801, 3, u16, "rw", 0},
-    {"6.2.6.2", 0x1801, 5, u16, "rw", 200},
-    {"6.2.6.3", 0x1A01, 0, u8, "ro", 2},
-    {"6.2.6.3", 0x1A01, 1, u32, "ro", 0x60010008},
-    {"6.2.6.3", 0x1A01, 2, u32, "ro", 0x60520010},
+    {0x1801, 0, u8, "ro", 5, "6.2.6.2"},
+    {0x1801, 1, u32, "rw", 0x80000000, "6.2.6.2"},
+    {0x1801, 2, u8, "ro", 255, "6.2.6.2"},
+    {0x1801, 3, u16, "rw", 0, "6.2.6.2"},
+    {0x1801, 5, u16, "rw", 200, "6.2.6.2"},
+    {0x1A01, 0, u8, "ro", 2, "6.2.6.3"},
+    {0x1A01, 1, u32, "ro", 0x60010008, "6.2.6.3"},
+    {0x1A01, 2, u32, "ro", 0x60520010, "6.2.6.3"},
     // 3rd RPDO
-    {"6.2.7.2", 0x1402, 0, u8, "ro", 5},
-    {"6.2.7.2", 0x1402, 1, u32, "rw", 0x80000000},
-    {"6.2.7.2", 0x1402, 2, u8, "ro", 255},
-    {"6.2.7.2", 0x1402, 5, u16, "rw", 0},
-    {"6.2.7.3", 0x1602, 0, u8, "ro", 2},
-    {"6.2.7.3", 0x1602, 1, u32, "ro", 0x60700010},
-    {"6.2.7.3", 0x1602, 2, u32, "ro", 0x60810008},
+    {0x1402, 0, u8, "ro", 5, "6.2.7.2"},
+    {0x1402, 1, u32, "rw", 0x80000000, "6.2.7.2"},
+    {0x1402, 2, u8, "ro", 255, "6.2.7.2"},
+    {0x1402, 5, u16, "rw", 0, "6.2.7.2"},
+    {0x1602, 0, u8, "ro", 2, "6.2.7.3"},
+    {0x1602, 1, u32, "ro", 0x60700010, "6.2.7.3"},
+    {0x1602, 2, u32, "ro", 0x60810008, "6.2.7.3"},
     // 3rd TPDO
-    {"6.2.8.2, errata 3", 0x1802, 0, u8, "ro", 5},
-    {"6.2.8.2", 0x1802, 1, u32, "rw", 0x80000000},
-    {"6.2.8.2", 0x1802, 2, u8, "ro", 255},
-    {"6.2.8.2", 0x1802, 3, u16, "rw", 0},
-    {"6.2.8.2", 0x1802, 5, u16, "rw", 200},
-    {"6.2.8.3", 0x1A02, 0, u8, "ro", 3},
-    {"6.2.8.3", 0x1A02, 1, u32, "ro", 0x60010008},
-    {"6.2.8.3", 0x1A02, 2, u32, "ro", 0x60520010},
-    {"6.2.8.3", 0x1A02, 3, u32, "ro", 0x60800008},
+    {0x1802, 0, u8, "ro", 5, "6.2.8.2, errata 3"},
+    {0x1802, 1, u32, "rw", 0x80000000, "6.2.8.2"},
+    {0x1802, 2, u8, "ro", 255, "6.2.8.2"},
+    {0x1802, 3, u16, "rw", 0, "6.2.8.2"},
+    {0x1802, 5, u16, "rw", 200, "6.2.8.2"},
+    {0x1A02, 0, u8, "ro", 3, "6.2.8.3"},
+    {0x1A02, 1, u32, "ro", 0x60010008, "6.2.8.3"},
+    {0x1A02, 2, u32, "ro", 0x60520010, "6.2.8.3"},
+    {0x1A02, 3, u32, "ro", 0x60800008, "6.2.8.3"},
 };
 
 /// Without a default in clause 7, an object starts as invalid, or as not ready.
 constexpr Expected application_objects[] = {
-    {"7.2.1", 0x6000, 0, u8, "rw TR", 0},           {"7.2.2", 0x6001, 0, u8, "ro T", 0},
-    {"7.2.3", 0x6010, 0, i16, "rw TR", 0xFFFF},     {"7.2.4", 0x6052, 0, u16, "ro T", 0xFFFF},
-    {"7.2.5", 0x6060, 0, u32, "rw TR", 0xFFFFFFFF}, {"7.2.6", 0x6070, 0, u16, "rw TR", 0xFFFF},
-    {"7.2.7", 0x6080, 0, u8, "ro T", 0xFF},         {"7.2.8", 0x6081, 0, u8, "rw TR", 0xFF},
+    {0x6000, 0, u8, "rw TR", 0, "7.2.1"},           {0x6001, 0, u8, "ro T", 0, "7.2.2"},
+    {0x6010, 0, i16, "rw TR", 0xFFFF, "7.2.3"},     {0x6052, 0, u16, "ro T", 0xFFFF, "7.2.4"},
+    {0x6060, 0, u32, "rw TR", 0xFFFFFFFF, "7.2.5"}, {0x6070, 0, u16, "rw TR", 0xFFFF, "7.2.6"},
+    {0x6080, 0, u8, "ro T", 0xFF, "7.2.7"},         {0x6081, 0, u8, "rw TR", 0xFF, "7.2.8"},
 };
-
-void expect_entries(const Dictionary& dictionary, std::span<const Expected> entries) {
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message()
-                 << expected.clause << ": " << std::hex << expected.index << "h " << expected.sub);
-    const auto entry = dictionary.find(static_cast<std::uint16_t>(expected.index),
-                                       static_cast<std::uint8_t>(expected.sub));
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-  }
-}
 
 TEST(Cia419, CommunicationObjectsHaveTheTypesAccessAndDefaultsOfClause6) {
   const DeviceMemory charger(full_layout.tables(), 5);

@@ -11,6 +11,8 @@
 namespace canvoy::cia302_master_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto master = describe(cia301::device_type(0), cia301::error_register_object,
                                  cia301::identity({.vendor_id = 1}),
                                  cia301::heartbeat_consumers(127), cia301::heartbeat_producer(0),
@@ -18,15 +20,6 @@ constexpr auto master = describe(cia301::device_type(0), cia301::error_register_
                                  cia302::flying_master(2), cia302::restore_configuration_object);
 constexpr auto master_layout = lay_out_device<master>();
 
-constexpr unsigned u8 = 5, u16 = 6, u32 = 7;
-
-struct Expected {
-  std::uint16_t index;
-  std::uint8_t sub;
-  unsigned type;
-  const char* access;
-  std::uint64_t initial;
-};
 constexpr Expected entries[] = {
     {0x102A, 0, u16, "rw", 0},     {0x1F80, 0, u32, "rw", 1},     {0x1F81, 0, u8, "const", 127},
     {0x1F81, 1, u32, "rw", 0},     {0x1F81, 127, u32, "rw", 0},   {0x1F82, 0, u8, "const", 128},
@@ -43,15 +36,7 @@ constexpr Expected entries[] = {
 
 TEST(Cia302Master, HasItsObjectsWithTheirTypesAccessAndDefaults) {
   const DeviceMemory device(master_layout.tables(), 9);
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message()
-                 << std::hex << expected.index << "h " << unsigned{expected.sub});
-    const auto entry = device.dictionary.find(expected.index, expected.sub);
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-  }
+  expect_entries(device.dictionary, entries);
 }
 
 constexpr auto slave = describe(cia301::device_type(0x191), cia301::error_register_object,

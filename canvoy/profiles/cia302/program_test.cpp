@@ -9,19 +9,13 @@
 namespace canvoy::cia302_program_test {
 namespace {
 
+using namespace entry_rows;
+
 constexpr auto device =
     describe(cia301::device_type(0), cia301::error_register_object,
              cia301::identity({.vendor_id = 1}), cia302::programs(2), cia302::expected_programs());
 constexpr auto device_layout = lay_out_device<device>();
 
-struct Expected {
-  std::uint16_t index;
-  std::uint8_t sub;
-  unsigned type;
-  const char* access;
-  std::uint64_t initial;
-};
-constexpr unsigned u8 = 5, u32 = 7, domain = 15;
 constexpr Expected entries[] = {
     {0x1F50, 0, u8, "const", 2},   {0x1F50, 2, domain, "wo", 0},  {0x1F51, 0, u8, "const", 2},
     {0x1F51, 2, u8, "rw", 0},      {0x1F52, 0, u8, "const", 2},   {0x1F52, 1, u32, "rw", 0},
@@ -33,16 +27,7 @@ constexpr Expected entries[] = {
 
 TEST(Cia302Program, ObjectsHaveTheirTypesAccessAndDefaults) {
   const DeviceMemory memory(device_layout.tables());
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message() << std::hex << expected.index << ":" << +expected.sub);
-    const auto entry = memory.dictionary.find(expected.index, expected.sub);
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    if (expected.type != domain) {
-      EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-    }
-  }
+  expect_entries(memory.dictionary, entries);
   for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1F50, 0x1F51, 0x1F57})) {
     EXPECT_EQ(memory.dictionary.find(index, 3).abort(), AbortCode::no_sub_index);
   }
