@@ -48,7 +48,8 @@ class CarPlantAlone : public testing::Test {
     return limits;
   }
   Time now{};
-  CarPlant plant{design, callback<&CarPlantAlone::read_clock>(*this)};
+  Callback<Time()> clock = callback<&CarPlantAlone::read_clock>(*this);
+  CarPlant plant{design, clock};
   cia417::CarDriveHardware drive = plant.drive_hardware();
   cia417::CarPositionHardware position = plant.position_hardware();
 };
@@ -86,7 +87,7 @@ TEST_F(CarPlantAlone, LosesNothingByAClockThatGoesOnWhileItIsRead) {
 }
 
 TEST_F(CarPlantAlone, MovesAlikeWhetherLookedAtOrNot) {
-  CarPlant alone{design, callback<&CarPlantAlone::read_clock>(*this)};
+  CarPlant alone{design, clock};
   for (CarPlant* each : {&plant, &alone}) {
     each->set_faults({.slip = 0.1});
     drive = each->drive_hardware();
