@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "canvoy/canopen/manager/configuration_manager.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
-#include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/model/layout.hpp"
@@ -19,6 +23,51 @@ constexpr auto master_device =
              cia301::heartbeat_consumers(1), cia301::heartbeat_producer(0),
              cia301::error_behavior(), cia302::nmt_master(), cia302::configuration());
 constexpr auto master_layout = lay_out_device<master_device>();
+
+/// 1F22h of the one slave, as a tool stores it.
+class StoredDcf {
+ public:
+  explicit StoredDcf(Node& node) {
+    domain_.open_read = decltype(Domain::open_read)::to<&StoredDcf::open_read>(*this);
+    domain_.read = decltype(Domain::read)::to<&StoredDcf::read>(*this);
+    domain_.open_write = decltype(Domain::open_write)::to<&StoredDcf::open_write>(*this);
+    domain_.write = decltype(Domain::write)::to<&StoredDcf::write>(*this);
+    domain_.close_write = decltype(Domain::close_write)::to<&StoredDcf::close_write>(*this);
+    hook_.first = hook_.last = 0x1F22;
+    hook_.domain = &domain_;
+    node.dictionary().attach(hook_);
+  }
+
+ private:
+  using Bytes = std::vector<std::uint8_t>;
+
+  Result<std::uint32_t> open_read(const Entry& /*entry*/) {
+    if (content_.empty()) return AbortCode::no_data;
+    return static_cast<std::uint32_t>(content_.size());
+  }
+  Result<std::size_t> read(const Entry& /*entry*/, std::uint32_t offset,
+                           std::span<std::uint8_t> bytes) {
+    std::ranges::copy(std::span(content_).subspan(offset, bytes.size()), bytes.begin());
+    return bytes.size();
+  }
+  AbortCode open_write(const Entry& /*entry*/, std::uint32_t /*size*/) {
+    arriving_.clear();
+    return AbortCode::none;
+  }
+  AbortCode write(const Entry& /*entry*/, std::span<const std::uint8_t> bytes) {
+    arriving_.insert(arriving_.end(), bytes.begin(), bytes.end());
+    return AbortCode::none;
+  }
+  AbortCode close_write(const Entry& /*entry*/, bool complete) {
+    if (complete) content_ = arriving_;
+    return AbortCode::none;
+  }
+
+  Bytes content_;
+  Bytes arriving_;
+  Domain domain_;
+  Hook hook_;
+};
 
 struct MasterOnBench {
   MasterOnBench() {
@@ -37,7 +86,7 @@ struct MasterOnBench {
   ConfigurationManager::Worker workers[2] = {ConfigurationManager::Worker(master.node()),
                                              ConfigurationManager::Worker(master.node())};
   ConfigurationManager configurations{master.node(), workers};
-  MemoryDomain stored{master.node(), 0x1F22};  ///< that of the one slave
+  StoredDcf stored{master.node()};
 };
 
 TEST(Master, OfOursPasses) {
