@@ -19,6 +19,11 @@ constexpr AccessHandlers CollisionWatch::hook_calls[] = {
     {.first = object_index::cob_id_emergency,
      .last = object_index::cob_id_emergency,
      .after_write = method<&CollisionWatch::written>},
+    {.first = object_index::rpdo_parameter,
+     .last = object_index::rpdo_parameter_last,
+     .sub_first = cob_id_sub,
+     .sub_last = cob_id_sub,
+     .after_write = method<&CollisionWatch::written>},
     {.first = object_index::tpdo_parameter,
      .last = object_index::tpdo_parameter_last,
      .sub_first = cob_id_sub,
@@ -36,35 +41,20 @@ CollisionWatch::CollisionWatch(Node& node, std::span<Slot> slots, std::uint16_t 
 void CollisionWatch::reset(ResetScope /*scope*/) {
   collided_ = 0;
   node_.timers().disarm(timer_);
+  listen();
+}
+
+void CollisionWatch::written(const Entry& /*entry*/, Source /*source*/) {
+  listen();
+}
+
+void CollisionWatch::listen() {
+  const CanIds received = received_by_rpdos();
   const bool has_id = is_node_id(node_.id());
-  const auto of_node = [&](std::uint16_t function) {
-    return has_id ? static_cast<std::uint16_t>(function + node_.id()) : std::uint16_t{0};
-  };
-  const CobId emergencies{node_.dictionary().word(object_index::cob_id_emergency, 0, CobId::bit31)};
-  watch_cob_id(slots_[emergency_place], has_id ? emergencies : CobId{});
-  listen(slots_[sdo_place], of_node(can_id::sdo_response));
-  listen(slots_[heartbeat_place], of_node(can_id::error_control));
-  for (std::size_t place = ids_beside_tpdos; place < slots_.size(); ++place) watch_tpdo(place);
-}
-
-void CollisionWatch::written(const Entry& entry, Source /*source*/) {
-  if (entry.index == object_index::cob_id_emergency) {
-    return watch_cob_id(slots_[emergency_place], CobId{entry.word()});
+  for (std::size_t place = 0; place < slots_.size(); ++place) {
+    const std::uint16_t can_id = has_id ? sent_at(place) : std::uint16_t{0};
+    listen(slots_[place], received[can_id] ? std::uint16_t{0} : can_id);
   }
-  const unsigned first = object_index::tpdo_parameter + first_tpdo_ - 1U;
-  if (entry.index >= first) watch_tpdo(ids_beside_tpdos + entry.index - first);
-}
-
-void CollisionWatch::watch_tpdo(std::size_t place) {
-  if (place >= slots_.size()) return;
-  const auto index = static_cast<std::uint16_t>(object_index::tpdo_parameter + first_tpdo_ - 1U +
-                                                place - ids_beside_tpdos);
-  watch_cob_id(slots_[place], CobId{node_.dictionary().word(index, cob_id_sub, CobId::bit31)});
-}
-
-void CollisionWatch::watch_cob_id(Slot& slot, CobId cob_id) {
-  const bool is_sent = cob_id.valid() && cob_id.is_base_frame() && is_node_id(node_.id());
-  listen(slot, is_sent ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0});
 }
 
 void CollisionWatch::listen(Slot& slot, std::uint16_t can_id) {
@@ -74,17 +64,46 @@ void CollisionWatch::listen(Slot& slot, std::uint16_t can_id) {
   if (can_id != 0 && node_.router().add(can_id, receiver)) slot = can_id;
 }
 
-bool CollisionWatch::is_received_by_rpdo(std::uint32_t can_id) const {
-  for (std::uint16_t index = object_index::rpdo_parameter;
-       index <= object_index::rpdo_parameter_last; ++index) {
-    const CobId cob_id{node_.dictionary().word(index, cob_id_sub, CobId::bit31)};
-    if (cob_id.valid() && cob_id.is_base_frame() && cob_id.can_id() == can_id) return true;
+/// The CAN-ID with which the node sends what has this place among the slots; 0: none.
+std::uint16_t CollisionWatch::sent_at(std::size_t place) const {
+  const auto of_node = [this](std::uint16_t function) {
+    return static_cast<std::uint16_t>(function + node_.id());
+  };
+  switch (place) {
+    case emergency_place:
+      return can_id_in(object_index::cob_id_emergency, 0);
+    case sdo_place:
+      return of_node(can_id::sdo_response);
+    case heartbeat_place:
+      return of_node(can_id::error_control);
+    default:
+      return can_id_in(static_cast<std::uint16_t>(object_index::tpdo_parameter + first_tpdo_ - 1U +
+                                                  place - ids_beside_tpdos),
+                       cob_id_sub);
   }
-  return false;
+}
+
+/// 0: the COB-ID is not there, not valid, or of an extended frame.
+std::uint16_t CollisionWatch::can_id_in(std::uint16_t index, std::uint8_t sub) const {
+  const CobId cob_id{node_.dictionary().word(index, sub, CobId::bit31)};
+  const bool is_one = cob_id.valid() && cob_id.is_base_frame();
+  return is_one ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0};
+}
+
+/// Of those that the node has: there may be 512.
+CollisionWatch::CanIds CollisionWatch::received_by_rpdos() const {
+  CanIds received;
+  const std::span<const ObjectRow> objects = node_.dictionary().tables().objects;
+  auto row = std::ranges::lower_bound(objects, object_index::rpdo_parameter, {}, &ObjectRow::index);
+  for (; row != objects.end() && row->index <= object_index::rpdo_parameter_last; ++row) {
+    for (unsigned each = 0; each < row->count; ++each) {
+      received[can_id_in(static_cast<std::uint16_t>(row->index + each), cob_id_sub)] = true;
+    }
+  }
+  return received;
 }
 
 void CollisionWatch::heard(const Frame& frame, Time now) {
-  if (collided_ != frame.id && is_received_by_rpdo(frame.id)) return;
   node_.timers().arm(timer_, now + quiet_time);
   if (collided_ != 0) return;
   collided_ = static_cast<std::uint16_t>(frame.id);

@@ -13,6 +13,8 @@
 // purpose: it is no collision.
 #pragma once
 
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -22,7 +24,7 @@ namespace canvoy {
 
 class CollisionWatch {
  public:
-  /// A CAN-ID that has a route; 0: none.
+  /// A CAN-ID that has a route; 0: none, since the node does not send with it, or receives it.
   using Slot = std::uint16_t;
 
   static constexpr std::size_t ids_beside_tpdos = 3;  ///< emergency, SDO answer and heartbeat
@@ -37,12 +39,16 @@ class CollisionWatch {
   CollisionWatch& operator=(const CollisionWatch&) = delete;
 
  private:
+  /// A bit for each CAN-ID of base frames. That of 0 says nothing.
+  using CanIds = std::bitset<Frame::id_max + 1>;
+
   void reset(ResetScope scope);
   void written(const Entry& entry, Source source);
-  void watch_tpdo(std::size_t place);
-  void watch_cob_id(Slot& slot, CobId cob_id);
+  void listen();
   void listen(Slot& slot, std::uint16_t can_id);
-  bool is_received_by_rpdo(std::uint32_t can_id) const;
+  std::uint16_t sent_at(std::size_t place) const;
+  std::uint16_t can_id_in(std::uint16_t index, std::uint8_t sub) const;
+  CanIds received_by_rpdos() const;
   void heard(const Frame& frame, Time now);
   void is_quiet(Time now);
 

@@ -106,6 +106,21 @@ TYPED_TEST(Collision, ACanIdThatAnRpdoReceivesIsNone) {
   EXPECT_EQ(this->told_of("205#00").substr(0, 9) == "085#50 81", false);
 }
 
+/// It is so by the COB-IDs as they are at present, whichever of the two was written last.
+TYPED_TEST(Collision, ACanIdIsSharedWhileAnRpdoReceivesIt) {
+  this->cable.send("605#23 03 18 01 05 02 00 00");
+  this->cable.send("605#23 00 14 01 05 02 00 80");  // RPDO 1 is off
+  EXPECT_EQ(this->told_of("205#00"), "085#50 81 11 05 02 00 00 00");
+  this->cable.run_for(4s);
+  this->cable.send("605#23 00 14 01 A7 01 00 00");  // it receives what TPDO 3 is sent with
+  EXPECT_EQ(this->told_of("1A7#00").substr(0, 9) == "085#50 81", false);
+  EXPECT_EQ(this->told_of("205#00"), "085#50 81 11 05 02 00 00 00");
+  this->cable.run_for(4s);
+  this->cable.send("000#82 05");  // RPDO 1 receives 205h again, and TPDO 4 is off
+  EXPECT_EQ(this->told_of("205#00").substr(0, 9) == "085#50 81", false);
+  EXPECT_EQ(this->told_of("1A7#00"), "085#50 81 11 A7 01 00 00 00");
+}
+
 TYPED_TEST(Collision, ItIsToldOnceUntilItHasBeenQuietForThreeSeconds) {
   this->told_of("705#05");
   for (int i = 0; i < 5; ++i) {
