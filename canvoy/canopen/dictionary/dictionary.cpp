@@ -53,19 +53,24 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   }
 }
 
-/// Like check_limits(), but for hosts: signed numbers are compared as unsigned ones, with the sign
-/// bit inverted.
+/// Like check_limits(), but for hosts: numbers and limits as those of 64 bits.
 [[maybe_unused]] inline AbortCode check_limits_at_once(const EntryShape& row,
                                                        const std::int64_t* limits,
                                                        const std::uint8_t* value) {
+  const std::uint64_t number = load_number(value, row.capacity);
   const unsigned unused = 64 - 8U * row.capacity;
-  const std::uint64_t sign = has(row.traits, EntryTraits::has_sign) ? std::uint64_t{1} << 63 : 0;
-  const auto order = [&](std::uint64_t number) { return number << unused ^ sign; };
-  const std::uint64_t number = order(load_number(value, row.capacity));
-  const auto limit = [&](unsigned i) { return order(static_cast<std::uint64_t>(limits[i])); };
-  if (has(row.traits, EntryTraits::has_sentinel) && number == limit(2)) return AbortCode::none;
-  if (number < limit(0)) return AbortCode::value_too_low;
-  return number > limit(1) ? AbortCode::value_too_high : AbortCode::none;
+  if (has(row.traits, EntryTraits::has_sentinel) &&
+      (number ^ static_cast<std::uint64_t>(limits[2])) << unused == 0) {
+    return AbortCode::none;
+  }
+  if (has(row.traits, EntryTraits::has_sign)) {
+    const auto with_sign = static_cast<std::int64_t>(number << unused) >> unused;
+    if (with_sign < limits[0]) return AbortCode::value_too_low;
+    return with_sign > limits[1] ? AbortCode::value_too_high : AbortCode::none;
+  }
+  if (number < static_cast<std::uint64_t>(limits[0])) return AbortCode::value_too_low;
+  return number > static_cast<std::uint64_t>(limits[1]) ? AbortCode::value_too_high
+                                                        : AbortCode::none;
 }
 
 /// Checks a value that has the length of its type.
@@ -89,6 +94,7 @@ AbortCode check_length(const EntryShape& row, std::size_t size) {
 
 /// Copies bytes. Most values have one of these sizes, for which it takes a few instructions.
 [[maybe_unused]] inline void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) {
+  if (size == 4) return store(to, load<std::uint32_t>(from));
   switch (size) {
     case 0:
       return;
@@ -97,8 +103,6 @@ AbortCode check_length(const EntryShape& row, std::size_t size) {
       return;
     case 2:
       return store(to, load<std::uint16_t>(from));
-    case 4:
-      return store(to, load<std::uint32_t>(from));
     case 8:
       return store(to, load<std::uint64_t>(from));
     default:
@@ -113,7 +117,7 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
 /// Position of the remembered row of an object: spreads indices that differ in any digit (Fibonacci
 /// hashing). A small machine remembers none.
 [[maybe_unused]] std::size_t slot_of(std::uint16_t index) {
-  return (index * 0x9E37'79B9U) >> 28;
+  return (index * 0x9E37'79B9U) >> 26;
 }
 
 [[maybe_unused, gnu::always_inline]] inline const ObjectRow* search(
@@ -159,6 +163,11 @@ void Dictionary::make_index() {
 
 /// Most parts have one row or two.
 const ObjectRow* Dictionary::search_part(std::size_t part, std::uint16_t index) const {
+  return search_here(part, index);
+}
+
+[[gnu::always_inline]] inline const ObjectRow* Dictionary::search_here(std::size_t part,
+                                                                       std::uint16_t index) const {
   if constexpr (is_small_machine) return nullptr;
   const std::size_t first = states_.value[part].place;
   const std::size_t last = part + 1 < tables_.objects.size() ? states_.value[part + 1].place
@@ -228,7 +237,7 @@ inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint
 }
 
 [[gnu::noinline]] AbortCode Dictionary::look_up_in_part(std::size_t part, Entry& entry) const {
-  const ObjectRow* const object = search_part(part, entry.index);
+  const ObjectRow* const object = search_here(part, entry.index);
   return object == nullptr ? AbortCode::no_object : remember(*object, entry);
 }
 

@@ -386,7 +386,7 @@ class Dictionary {
   /// Rows that were found last, each at a position derived from its index: a client reads entry
   /// after entry of an object, and a master the same few objects again and again. A 32-bit
   /// processor searches its few rows, and saves the memory.
-  static constexpr std::size_t remembered_max = 16;
+  static constexpr std::size_t remembered_max = 64;
 
   /// For hosts: the range of indices in as many equal parts as there are rows, of which each knows
   /// in ObjectState::place where its rows begin.
@@ -399,6 +399,7 @@ class Dictionary {
   void make_index();
   const ObjectRow* search_object(std::uint16_t index) const;
   const ObjectRow* search_part(std::size_t part, std::uint16_t index) const;
+  const ObjectRow* search_here(std::size_t part, std::uint16_t index) const;
   const EntryShape* find_row(const ObjectRow& object, std::uint8_t sub) const;
   AbortCode look_up(Entry& entry) const;
   AbortCode look_up_in(const ObjectRow& object, Entry& entry) const;

@@ -92,10 +92,18 @@ void SdoServer::serve(const Frame& frame) {
     case sdo::Request::download_segment:
       return download_segment(request);
     case sdo::Request::abort:
-      return drop();
+      return end();
     default:
-      return extension_ == nullptr ? refuse_service(request) : extension_->receive(frame);
+      return serve_further(frame);
   }
+}
+
+CANVOY_HANDLER void SdoServer::end() {
+  drop();
+}
+
+CANVOY_HANDLER void SdoServer::serve_further(const Frame& frame) {
+  return extension_ == nullptr ? refuse_service(sdo::Message(frame)) : extension_->receive(frame);
 }
 
 /// For hosts what nearly always is the case is in its place.
@@ -111,7 +119,10 @@ void SdoServer::serve(const Frame& frame) {
   if (is_small_machine || busy()) drop();
   multiplexer_ = request.multiplexer();
   state_ = State::opening;
-  return goes_on(entry_.find(multiplexer_));
+  const AbortCode answer = entry_.find(multiplexer_);
+  // The application is not asked: on a host the state is still this one.
+  if (!is_small_machine && answer == AbortCode::none) [[likely]] return true;
+  return opened(answer);
 }
 
 bool SdoServer::find(sdo::Message request) {

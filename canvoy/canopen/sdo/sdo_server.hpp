@@ -89,6 +89,8 @@ class SdoServer : private NodeService {
 
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
+  void serve_further(const Frame& frame);
+  void end();
   bool find(sdo::Message request);
   bool begin_with(sdo::Message request);
   bool find_here(sdo::Message request);
