@@ -24,5 +24,12 @@ struct BatteryReadings {
 struct BatteryHardware {
   Callback<BatteryReadings()> sense;  ///< called once a period; costs what the sensors cost
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(BatteryHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::sense; }, "BatteryHardware needs a member function sense");
+  hardware.sense = callback<&Plain::sense>(plain);
+}
 
 }  // namespace canvoy::cia418

@@ -32,5 +32,36 @@ struct OperatorHardware {
   /// Shows a parameter of a display, as its output value.
   Callback<void(unsigned display, unsigned parameter, std::int16_t value)> show_parameter = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(OperatorHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::joystick_axis; } || requires { &Plain::joystick_buttons; } ||
+          requires { &Plain::joystick_memory; } || requires { &Plain::foot_pedal; } ||
+          requires { &Plain::foot_pedal_memory; } || requires { &Plain::encoder; } ||
+          requires { &Plain::wheel; } || requires { &Plain::push_buttons; } ||
+          requires { &Plain::show_indicators; } || requires { &Plain::show_parameter; },
+      "the class has no member function of OperatorHardware: joystick_axis, joystick_buttons, "
+      "joystick_memory, foot_pedal, foot_pedal_memory, encoder, wheel, push_buttons, "
+      "show_indicators or show_parameter");
+  if constexpr (requires { &Plain::joystick_axis; })
+    hardware.joystick_axis = callback<&Plain::joystick_axis>(plain);
+  if constexpr (requires { &Plain::joystick_buttons; })
+    hardware.joystick_buttons = callback<&Plain::joystick_buttons>(plain);
+  if constexpr (requires { &Plain::joystick_memory; })
+    hardware.joystick_memory = callback<&Plain::joystick_memory>(plain);
+  if constexpr (requires { &Plain::foot_pedal; })
+    hardware.foot_pedal = callback<&Plain::foot_pedal>(plain);
+  if constexpr (requires { &Plain::foot_pedal_memory; })
+    hardware.foot_pedal_memory = callback<&Plain::foot_pedal_memory>(plain);
+  if constexpr (requires { &Plain::encoder; }) hardware.encoder = callback<&Plain::encoder>(plain);
+  if constexpr (requires { &Plain::wheel; }) hardware.wheel = callback<&Plain::wheel>(plain);
+  if constexpr (requires { &Plain::push_buttons; })
+    hardware.push_buttons = callback<&Plain::push_buttons>(plain);
+  if constexpr (requires { &Plain::show_indicators; })
+    hardware.show_indicators = callback<&Plain::show_indicators>(plain);
+  if constexpr (requires { &Plain::show_parameter; })
+    hardware.show_parameter = callback<&Plain::show_parameter>(plain);
+}
 
 }  // namespace canvoy::cia852

@@ -34,6 +34,7 @@
 #include <type_traits>
 
 #include "canvoy/canopen/device/device_node.hpp"
+#include "canvoy/devices/kit/plain_hardware.hpp"
 #include "canvoy/profiles/model/device_values.hpp"
 #include "canvoy/profiles/model/layout.hpp"
 
@@ -116,6 +117,10 @@ class Device : public DeviceValues<Device<Kind, layout, own_routes>, layout> {
       : services_(port, node_id), unit_(made(hardware, settings)) {
     connect();
   }
+  /// The same for hardware that is a plain class, whose members are found by their names.
+  template <PlainHardware<Hardware> Plain>
+  Device(const Port& port, NodeId node_id, Plain& hardware, const Settings& settings = {})
+      : Device(port, node_id, hardware_of<Hardware>(hardware), settings) {}
   /// The context of `port`, and everything to which `settings` refers, must outlive the device.
   explicit Device(const Port& port, NodeId node_id, const Settings& settings = {})
     requires std::is_same_v<Hardware, NoHardware>

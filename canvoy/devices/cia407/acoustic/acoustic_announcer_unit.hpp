@@ -22,6 +22,15 @@ struct AcousticAnnouncerHardware {
   /// received.
   Callback<bool(std::uint32_t stop_point, std::string_view text)> announce = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(AcousticAnnouncerHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::announce; },
+      "the class has no member function of AcousticAnnouncerHardware: announce");
+  if constexpr (requires { &Plain::announce; })
+    hardware.announce = callback<&Plain::announce>(plain);
+}
 
 class AcousticAnnouncerUnit {
  public:

@@ -38,6 +38,16 @@ struct AcousticControlManagerHardware {
   /// Returns the device's own state information on request.
   Callback<std::uint16_t()> state = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(AcousticControlManagerHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::switch_paths; } || requires { &Plain::state; },
+      "the class has no member function of AcousticControlManagerHardware: switch_paths or state");
+  if constexpr (requires { &Plain::switch_paths; })
+    hardware.switch_paths = callback<&Plain::switch_paths>(plain);
+  if constexpr (requires { &Plain::state; }) hardware.state = callback<&Plain::state>(plain);
+}
 
 class AcousticControlManagerUnit {
  public:

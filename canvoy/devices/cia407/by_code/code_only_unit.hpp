@@ -17,6 +17,15 @@ struct CodeOnlyHardware {
   /// True if the error exists, of those that the kind may have.
   Callback<bool(std::uint16_t error_code)> has_error = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <DeviceCode code, class Plain>
+constexpr void set_by_names(CodeOnlyHardware<code>& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::has_error; },
+      "the class has no member function of CodeOnlyHardware: has_error");
+  if constexpr (requires { &Plain::has_error; })
+    hardware.has_error = callback<&Plain::has_error>(plain);
+}
 
 /// Of devices with a radio.
 inline constexpr std::uint16_t radio_errors[] = {bus_error::no_radio_connection};

@@ -31,6 +31,14 @@ struct DriverIndicatorHardware {
   /// Called when the view changes.
   Callback<void(const DriverView&)> show = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(DriverIndicatorHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::show; },
+      "the class has no member function of DriverIndicatorHardware: show");
+  if constexpr (requires { &Plain::show; }) hardware.show = callback<&Plain::show>(plain);
+}
 
 class DriverIndicatorUnit {
  public:

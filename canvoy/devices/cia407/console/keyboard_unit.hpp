@@ -15,6 +15,16 @@ struct KeyboardHardware {
   Callback<std::uint32_t()> keys = {};
   Callback<bool()> is_reverse_engaged = {};  ///< false: not, or not known
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(KeyboardHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::keys; } || requires { &Plain::is_reverse_engaged; },
+      "the class has no member function of KeyboardHardware: keys or is_reverse_engaged");
+  if constexpr (requires { &Plain::keys; }) hardware.keys = callback<&Plain::keys>(plain);
+  if constexpr (requires { &Plain::is_reverse_engaged; })
+    hardware.is_reverse_engaged = callback<&Plain::is_reverse_engaged>(plain);
+}
 
 class KeyboardUnit {
  public:

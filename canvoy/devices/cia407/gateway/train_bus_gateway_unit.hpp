@@ -23,6 +23,14 @@ struct TrainBusGatewayHardware {
   Callback<void(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value)> send =
       {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TrainBusGatewayHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::send; },
+      "the class has no member function of TrainBusGatewayHardware: send");
+  if constexpr (requires { &Plain::send; }) hardware.send = callback<&Plain::send>(plain);
+}
 
 class TrainBusGatewayUnit {
  public:

@@ -68,6 +68,14 @@ struct VehicleReading {
 struct VehicleGatewayHardware {
   Callback<VehicleReading()> read = {};  ///< once a period
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(VehicleGatewayHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::read; },
+      "the class has no member function of VehicleGatewayHardware: read");
+  if constexpr (requires { &Plain::read; }) hardware.read = callback<&Plain::read>(plain);
+}
 /// Motion sensor, and period.
 struct VehicleGatewaySettings {
   double pulses_per_metre = 8;  ///< of the motion sensor

@@ -23,6 +23,26 @@ struct GenericIoHardware {
   /// True if an error of outputs exists: 2310h, 2320h, 2330h.
   Callback<bool(std::uint16_t code)> has_error = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(GenericIoHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::digital_inputs; } || requires { &Plain::analogue_input; } ||
+          requires { &Plain::set_digital_outputs; } || requires { &Plain::set_analogue_output; } ||
+          requires { &Plain::has_error; },
+      "the class has no member function of GenericIoHardware: digital_inputs, analogue_input, "
+      "set_digital_outputs, set_analogue_output or has_error");
+  if constexpr (requires { &Plain::digital_inputs; })
+    hardware.digital_inputs = callback<&Plain::digital_inputs>(plain);
+  if constexpr (requires { &Plain::analogue_input; })
+    hardware.analogue_input = callback<&Plain::analogue_input>(plain);
+  if constexpr (requires { &Plain::set_digital_outputs; })
+    hardware.set_digital_outputs = callback<&Plain::set_digital_outputs>(plain);
+  if constexpr (requires { &Plain::set_analogue_output; })
+    hardware.set_analogue_output = callback<&Plain::set_analogue_output>(plain);
+  if constexpr (requires { &Plain::has_error; })
+    hardware.has_error = callback<&Plain::has_error>(plain);
+}
 
 class GenericIoUnit {
  public:

@@ -32,6 +32,15 @@ struct IdentificationHardware {
   /// The values after power-on, from a memory. Empty: no driver has logged in.
   Callback<Assignment()> remembered = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(IdentificationHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::remembered; },
+      "the class has no member function of IdentificationHardware: remembered");
+  if constexpr (requires { &Plain::remembered; })
+    hardware.remembered = callback<&Plain::remembered>(plain);
+}
 
 class IdentificationUnit {
  public:

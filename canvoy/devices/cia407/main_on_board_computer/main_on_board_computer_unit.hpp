@@ -31,6 +31,21 @@ struct MainOnBoardComputerHardware {
   /// Called when an object that it consumes has been written.
   Callback<void(const Entry&)> on_told = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(MainOnBoardComputerHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::clock; } || requires { &Plain::inside_temperature; } ||
+          requires { &Plain::on_event; } || requires { &Plain::on_told; },
+      "the class has no member function of MainOnBoardComputerHardware: clock, inside_temperature, "
+      "on_event or on_told");
+  if constexpr (requires { &Plain::clock; }) hardware.clock = callback<&Plain::clock>(plain);
+  if constexpr (requires { &Plain::inside_temperature; })
+    hardware.inside_temperature = callback<&Plain::inside_temperature>(plain);
+  if constexpr (requires { &Plain::on_event; })
+    hardware.on_event = callback<&Plain::on_event>(plain);
+  if constexpr (requires { &Plain::on_told; }) hardware.on_told = callback<&Plain::on_told>(plain);
+}
 
 /// Identity of the vehicle.
 struct MainOnBoardComputerSettings {

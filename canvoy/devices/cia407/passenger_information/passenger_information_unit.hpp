@@ -58,6 +58,24 @@ struct DisplayHardware {
   /// character; absent: always true.
   Callback<bool(const ShownElement&)> has_characters_of = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(DisplayHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::show; } || requires { &Plain::test; } ||
+          requires { &Plain::show_stop_request; } || requires { &Plain::has_character_set; } ||
+          requires { &Plain::has_characters_of; },
+      "the class has no member function of DisplayHardware: show, test, show_stop_request, "
+      "has_character_set or has_characters_of");
+  if constexpr (requires { &Plain::show; }) hardware.show = callback<&Plain::show>(plain);
+  if constexpr (requires { &Plain::test; }) hardware.test = callback<&Plain::test>(plain);
+  if constexpr (requires { &Plain::show_stop_request; })
+    hardware.show_stop_request = callback<&Plain::show_stop_request>(plain);
+  if constexpr (requires { &Plain::has_character_set; })
+    hardware.has_character_set = callback<&Plain::has_character_set>(plain);
+  if constexpr (requires { &Plain::has_characters_of; })
+    hardware.has_characters_of = callback<&Plain::has_characters_of>(plain);
+}
 
 class PassengerInformationUnit {
  public:

@@ -21,6 +21,13 @@ namespace canvoy::cia407 {
 struct PositioningHardware {
   Callback<cia447::GpsReading()> read = {};  ///< once a period
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(PositioningHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::read; }, "the class has no member function of PositioningHardware: read");
+  if constexpr (requires { &Plain::read; }) hardware.read = callback<&Plain::read>(plain);
+}
 /// Period and precision.
 struct PositioningSettings {
   Duration period = 1s;        ///< of readings

@@ -19,6 +19,16 @@ struct TimeFixingHardware {
   /// settings, in summer and winter.
   Callback<std::chrono::minutes()> local_offset = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TimeFixingHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::utc; } || requires { &Plain::local_offset; },
+      "the class has no member function of TimeFixingHardware: utc or local_offset");
+  if constexpr (requires { &Plain::utc; }) hardware.utc = callback<&Plain::utc>(plain);
+  if constexpr (requires { &Plain::local_offset; })
+    hardware.local_offset = callback<&Plain::local_offset>(plain);
+}
 /// Offset of the local time, and period.
 struct TimeFixingSettings {
   int offset_hours = 0;    ///< of the local time: -23 to 23

@@ -32,6 +32,13 @@ struct TachographReading {
 struct TachographHardware {
   Callback<TachographReading()> read = {};  ///< once a period
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TachographHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::read; }, "the class has no member function of TachographHardware: read");
+  if constexpr (requires { &Plain::read; }) hardware.read = callback<&Plain::read>(plain);
+}
 /// Motion sensor, and limits of driving times.
 struct TachographSettings {
   double pulses_per_metre = 8;                     ///< of the motion sensor

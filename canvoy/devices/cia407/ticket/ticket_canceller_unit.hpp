@@ -17,6 +17,16 @@ struct TicketCancellerHardware {
   /// Switches the lamp that shows whether tickets are accepted.
   Callback<void(bool)> show_ready = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TicketCancellerHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::stamp; } || requires { &Plain::show_ready; },
+      "the class has no member function of TicketCancellerHardware: stamp or show_ready");
+  if constexpr (requires { &Plain::stamp; }) hardware.stamp = callback<&Plain::stamp>(plain);
+  if constexpr (requires { &Plain::show_ready; })
+    hardware.show_ready = callback<&Plain::show_ready>(plain);
+}
 
 class TicketCancellerUnit {
  public:

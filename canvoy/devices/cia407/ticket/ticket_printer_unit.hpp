@@ -18,6 +18,16 @@ struct TicketPrinterHardware {
   /// Returns true if there is paper; checked every second. Empty: there is always paper.
   Callback<bool()> has_paper = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TicketPrinterHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::print; } || requires { &Plain::has_paper; },
+      "the class has no member function of TicketPrinterHardware: print or has_paper");
+  if constexpr (requires { &Plain::print; }) hardware.print = callback<&Plain::print>(plain);
+  if constexpr (requires { &Plain::has_paper; })
+    hardware.has_paper = callback<&Plain::has_paper>(plain);
+}
 
 class TicketPrinterUnit {
  public:

@@ -55,5 +55,20 @@ struct DoorHardware {
   /// read every sensing_period.
   Callback<Time()> next_change;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(DoorHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::sense; }, "DoorHardware needs a member function sense");
+  static_assert(
+      requires { &Plain::drive; }, "DoorHardware needs a member function drive");
+  hardware.sense = callback<&Plain::sense>(plain);
+  hardware.drive = callback<&Plain::drive>(plain);
+  if constexpr (requires { &Plain::lock; }) hardware.lock = callback<&Plain::lock>(plain);
+  if constexpr (requires { &Plain::use_battery; })
+    hardware.use_battery = callback<&Plain::use_battery>(plain);
+  if constexpr (requires { &Plain::next_change; })
+    hardware.next_change = callback<&Plain::next_change>(plain);
+}
 
 }  // namespace canvoy::cia417

@@ -53,5 +53,26 @@ struct CarDriveHardware {
   /// would. False: the brake slips. May be empty: then nothing is tested (EN 81-20, 5.6.7.3).
   Callback<bool()> brake_holds = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(CarDriveHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::sense; }, "CarDriveHardware needs a member function sense");
+  static_assert(
+      requires { &Plain::power; }, "CarDriveHardware needs a member function power");
+  static_assert(
+      requires { &Plain::release_brake; },
+      "CarDriveHardware needs a member function release_brake");
+  static_assert(
+      requires { &Plain::follow; }, "CarDriveHardware needs a member function follow");
+  hardware.sense = callback<&Plain::sense>(plain);
+  hardware.power = callback<&Plain::power>(plain);
+  hardware.release_brake = callback<&Plain::release_brake>(plain);
+  hardware.follow = callback<&Plain::follow>(plain);
+  if constexpr (requires { &Plain::control; }) hardware.control = callback<&Plain::control>(plain);
+  if constexpr (requires { &Plain::arrest; }) hardware.arrest = callback<&Plain::arrest>(plain);
+  if constexpr (requires { &Plain::brake_holds; })
+    hardware.brake_holds = callback<&Plain::brake_holds>(plain);
+}
 
 }  // namespace canvoy::cia417

@@ -22,6 +22,13 @@ struct LoadHardware {
   /// Load of a rope, from 1 on, in kg, including the empty car; nothing: its sensor has failed.
   Callback<std::optional<double>(unsigned rope)> rope_load;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(LoadHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::rope_load; }, "LoadHardware needs a member function rope_load");
+  hardware.rope_load = callback<&Plain::rope_load>(plain);
+}
 
 /// Settings of a load measuring unit.
 struct LoadSettings {

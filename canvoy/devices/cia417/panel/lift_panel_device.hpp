@@ -124,6 +124,10 @@ class LiftPanelDevice
   LiftPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
                   const Panel& what)
       : records_(what), device_(port, node_id, hardware, records_.inputs(), records_.outputs()) {}
+  /// The same for hardware that is a plain class, whose members are found by their names.
+  template <PlainHardware<OutputHardware> Plain, class Panel>
+  LiftPanelDevice(const Port& port, NodeId node_id, Plain& hardware, const Panel& what)
+      : LiftPanelDevice(port, node_id, hardware_of<OutputHardware>(hardware), what) {}
   LiftPanelDevice(const LiftPanelDevice&) = delete;
   LiftPanelDevice& operator=(const LiftPanelDevice&) = delete;
 

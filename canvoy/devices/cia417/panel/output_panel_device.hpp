@@ -11,6 +11,7 @@
 #include "canvoy/devices/cia417/kit/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
+#include "canvoy/devices/kit/plain_hardware.hpp"
 #include "canvoy/profiles/model/device_values.hpp"
 #include "canvoy/profiles/model/layout.hpp"
 
@@ -30,6 +31,11 @@ class OutputPanelDevice : public DeviceValues<OutputPanelDevice<layout, own_rout
   OutputPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
                     const OutputPanelSettings& settings)
       : device_(port, node_id), unit_(device_.node(), states_, hardware, settings) {}
+  /// The same for hardware that is a plain class, whose members are found by their names.
+  template <PlainHardware<OutputHardware> Plain>
+  OutputPanelDevice(const Port& port, NodeId node_id, Plain& hardware,
+                    const OutputPanelSettings& settings)
+      : OutputPanelDevice(port, node_id, hardware_of<OutputHardware>(hardware), settings) {}
 
   /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }

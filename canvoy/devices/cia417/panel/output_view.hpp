@@ -39,6 +39,13 @@ struct OutputHardware {
   /// On each change of an output.
   Callback<void(std::uint32_t output, const OutputView& view)> show;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(OutputHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::show; }, "OutputHardware needs a member function show");
+  hardware.show = callback<&Plain::show>(plain);
+}
 
 /// The times of property impulse in milliseconds, by its parameter.
 inline constexpr std::uint16_t impulse_milliseconds[] = {500,  1000, 1500,   2000,

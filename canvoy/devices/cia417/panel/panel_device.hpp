@@ -30,6 +30,11 @@ class PanelDevice : public DeviceValues<PanelDevice<layout, queue_max, own_route
       : device_(port, node_id),
         inputs_(device_.node(), device_.tpdos(), arrays_.spans(), inputs),
         outputs_(device_.node(), states_, hardware, outputs) {}
+  /// The same for hardware that is a plain class, whose members are found by their names.
+  template <PlainHardware<OutputHardware> Plain>
+  PanelDevice(const Port& port, NodeId node_id, Plain& hardware, const InputPanelSettings& inputs,
+              const OutputPanelSettings& outputs)
+      : PanelDevice(port, node_id, hardware_of<OutputHardware>(hardware), inputs, outputs) {}
 
   /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }

@@ -23,5 +23,12 @@ struct CarPositionHardware {
   /// Reads position unit 1 to 4.
   Callback<PositionReadings(unsigned unit)> sense;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(CarPositionHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::sense; }, "CarPositionHardware needs a member function sense");
+  hardware.sense = callback<&Plain::sense>(plain);
+}
 
 }  // namespace canvoy::cia417

@@ -20,6 +20,13 @@ struct LightBarrierHardware {
   /// State at a door, 1 to 4; yes: interrupted.
   Callback<Detection(unsigned door)> sense;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(LightBarrierHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::sense; }, "LightBarrierHardware needs a member function sense");
+  hardware.sense = callback<&Plain::sense>(plain);
+}
 
 /// Lift, doors and period.
 struct LightBarrierSettings {

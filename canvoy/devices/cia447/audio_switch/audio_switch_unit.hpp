@@ -75,6 +75,14 @@ struct AudioSwitchHardware {
   /// maximum.
   Callback<void(unsigned input, unsigned output, std::uint8_t gain)> connect = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(AudioSwitchHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::connect; },
+      "the class has no member function of AudioSwitchHardware: connect");
+  if constexpr (requires { &Plain::connect; }) hardware.connect = callback<&Plain::connect>(plain);
+}
 
 class AudioSwitchUnit {
  public:

@@ -35,6 +35,15 @@ struct DriverIdentificationHardware {
   /// True if a card may log in; without a callback all may.
   Callback<bool(std::uint64_t id)> knows = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(DriverIdentificationHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::clock; } || requires { &Plain::knows; },
+      "the class has no member function of DriverIdentificationHardware: clock or knows");
+  if constexpr (requires { &Plain::clock; }) hardware.clock = callback<&Plain::clock>(plain);
+  if constexpr (requires { &Plain::knows; }) hardware.knows = callback<&Plain::knows>(plain);
+}
 
 /// Period and clock.
 struct DriverIdentificationSettings {

@@ -21,6 +21,13 @@ namespace canvoy::cia447 {
 struct GpsHardware {
   Callback<GpsReading()> read = {};  ///< called once a period
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(GpsHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::read; }, "the class has no member function of GpsHardware: read");
+  if constexpr (requires { &Plain::read; }) hardware.read = callback<&Plain::read>(plain);
+}
 /// Period of readings.
 struct GpsSettings {
   /// Period of readings of the receiver; zero: read when the receiver reports new data.

@@ -18,6 +18,16 @@ struct HandsFreeHardware {
   Callback<void(bool is_on)> show_led = {};  ///< LED that shows the active radio
   Callback<void(bool is_muted)> mute = {};   ///< of other audio
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(HandsFreeHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::show_led; } || requires { &Plain::mute; },
+      "the class has no member function of HandsFreeHardware: show_led or mute");
+  if constexpr (requires { &Plain::show_led; })
+    hardware.show_led = callback<&Plain::show_led>(plain);
+  if constexpr (requires { &Plain::mute; }) hardware.mute = callback<&Plain::mute>(plain);
+}
 
 inline constexpr const ObjectInfo* hands_free_commands[] = {&radio_hand_free_command_object};
 inline constexpr Rest hands_free_rests[] = {rest(radio_hand_free_status_key, Signal::no)};

@@ -57,6 +57,46 @@ struct CarHardware {
 
   SwitchedHardware switched = {};  ///< what commands drive
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(CarHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::speed; } || requires { &Plain::distance; } ||
+          requires { &Plain::engine_speed; } || requires { &Plain::engine; } ||
+          requires { &Plain::gear; } || requires { &Plain::fuel; } ||
+          requires { &Plain::fuel_consumption; } || requires { &Plain::steering_wheel_angle; } ||
+          requires { &Plain::outside_temperature; } || requires { &Plain::inside_temperature; } ||
+          requires { &Plain::light_intensity; } || requires { &Plain::mirror_dimming; } ||
+          requires { &Plain::vin; } || requires { &Plain::drive; } || requires { &Plain::became; },
+      "the class has no member function of CarHardware: speed, distance, engine_speed, engine, "
+      "gear, fuel, fuel_consumption, steering_wheel_angle, outside_temperature, "
+      "inside_temperature, light_intensity, mirror_dimming, vin, drive or became");
+  if constexpr (requires { &Plain::speed; }) hardware.speed = callback<&Plain::speed>(plain);
+  if constexpr (requires { &Plain::distance; })
+    hardware.distance = callback<&Plain::distance>(plain);
+  if constexpr (requires { &Plain::engine_speed; })
+    hardware.engine_speed = callback<&Plain::engine_speed>(plain);
+  if constexpr (requires { &Plain::engine; }) hardware.engine = callback<&Plain::engine>(plain);
+  if constexpr (requires { &Plain::gear; }) hardware.gear = callback<&Plain::gear>(plain);
+  if constexpr (requires { &Plain::fuel; }) hardware.fuel = callback<&Plain::fuel>(plain);
+  if constexpr (requires { &Plain::fuel_consumption; })
+    hardware.fuel_consumption = callback<&Plain::fuel_consumption>(plain);
+  if constexpr (requires { &Plain::steering_wheel_angle; })
+    hardware.steering_wheel_angle = callback<&Plain::steering_wheel_angle>(plain);
+  if constexpr (requires { &Plain::outside_temperature; })
+    hardware.outside_temperature = callback<&Plain::outside_temperature>(plain);
+  if constexpr (requires { &Plain::inside_temperature; })
+    hardware.inside_temperature = callback<&Plain::inside_temperature>(plain);
+  if constexpr (requires { &Plain::light_intensity; })
+    hardware.light_intensity = callback<&Plain::light_intensity>(plain);
+  if constexpr (requires { &Plain::mirror_dimming; })
+    hardware.mirror_dimming = callback<&Plain::mirror_dimming>(plain);
+  if constexpr (requires { &Plain::vin; }) hardware.vin = callback<&Plain::vin>(plain);
+  if constexpr (requires { &Plain::drive; })
+    hardware.switched.drive = callback<&Plain::drive>(plain);
+  if constexpr (requires { &Plain::became; })
+    hardware.switched.became = callback<&Plain::became>(plain);
+}
 
 /// Properties of the car.
 struct CarSettings {

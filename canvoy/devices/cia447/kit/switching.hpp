@@ -148,6 +148,15 @@ struct SwitchedHardware {
   /// movement.
   Callback<void(const FieldPlace& status, std::uint32_t code)> became = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(SwitchedHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::drive; } || requires { &Plain::became; },
+      "the class has no member function of SwitchedHardware: drive or became");
+  if constexpr (requires { &Plain::drive; }) hardware.drive = callback<&Plain::drive>(plain);
+  if constexpr (requires { &Plain::became; }) hardware.became = callback<&Plain::became>(plain);
+}
 /// What the hardware of a unit has.
 struct SwitchedSettings {
   /// Commands that the device lacks. Must outlive the unit.

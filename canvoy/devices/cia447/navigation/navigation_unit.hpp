@@ -32,6 +32,17 @@ struct NavigationHardware {
   Callback<void(const GeoPosition* destination)> guide = {};
   Gazetteer gazetteer = {};  ///< names of places
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(NavigationHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::position; } || requires { &Plain::road; } || requires { &Plain::guide; },
+      "the class has no member function of NavigationHardware: position, road or guide");
+  if constexpr (requires { &Plain::position; })
+    hardware.position = callback<&Plain::position>(plain);
+  if constexpr (requires { &Plain::road; }) hardware.road = callback<&Plain::road>(plain);
+  if constexpr (requires { &Plain::guide; }) hardware.guide = callback<&Plain::guide>(plain);
+}
 /// Periods and limits of guidance.
 struct NavigationSettings {
   /// Period of readings of the position.

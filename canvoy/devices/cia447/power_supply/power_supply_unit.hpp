@@ -29,6 +29,15 @@ struct PowerSupplyHardware {
   /// Called when the power of a supply is switched on or off.
   Callback<void(Supply, bool is_on)> switch_power = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(PowerSupplyHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::switch_power; },
+      "the class has no member function of PowerSupplyHardware: switch_power");
+  if constexpr (requires { &Plain::switch_power; })
+    hardware.switch_power = callback<&Plain::switch_power>(plain);
+}
 
 /// Times of after-run.
 struct PowerSupplySettings {

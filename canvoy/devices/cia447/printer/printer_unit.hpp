@@ -25,6 +25,20 @@ namespace canvoy::cia447 {
 struct PrinterHardware {
   PrinterPaper paper = {};  ///< prints and moves it
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(PrinterHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::put; } || requires { &Plain::width; } || requires { &Plain::put_row; } ||
+          requires { &Plain::feed; } || requires { &Plain::cut; },
+      "the class has no member function of PrinterHardware: put, width, put_row, feed or cut");
+  if constexpr (requires { &Plain::put; }) hardware.paper.put = callback<&Plain::put>(plain);
+  if constexpr (requires { &Plain::width; }) hardware.paper.width = callback<&Plain::width>(plain);
+  if constexpr (requires { &Plain::put_row; })
+    hardware.paper.put_row = callback<&Plain::put_row>(plain);
+  if constexpr (requires { &Plain::feed; }) hardware.paper.feed = callback<&Plain::feed>(plain);
+  if constexpr (requires { &Plain::cut; }) hardware.paper.cut = callback<&Plain::cut>(plain);
+}
 
 /// Capabilities of the printer (60E2h).
 struct PrinterAbilities {

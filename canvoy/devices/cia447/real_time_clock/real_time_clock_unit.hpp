@@ -33,6 +33,15 @@ struct RealTimeClockHardware {
   Callback<std::optional<ChipTime>()> read = {};
   Callback<void(const ChipTime&)> write = {};  ///< called when the clock is set
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(RealTimeClockHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::read; } || requires { &Plain::write; },
+      "the class has no member function of RealTimeClockHardware: read or write");
+  if constexpr (requires { &Plain::read; }) hardware.read = callback<&Plain::read>(plain);
+  if constexpr (requires { &Plain::write; }) hardware.write = callback<&Plain::write>(plain);
+}
 
 /// Zone, and what the clock runs from.
 struct RealTimeClockSettings {

@@ -36,6 +36,18 @@ struct RoofBarSoundHardware {
   Callback<void(const RoofBarSound&)> play = {};
   SwitchedHardware switched = {};  ///< what commands drive
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(RoofBarSoundHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::play; } || requires { &Plain::drive; } || requires { &Plain::became; },
+      "the class has no member function of RoofBarSoundHardware: play, drive or became");
+  if constexpr (requires { &Plain::play; }) hardware.play = callback<&Plain::play>(plain);
+  if constexpr (requires { &Plain::drive; })
+    hardware.switched.drive = callback<&Plain::drive>(plain);
+  if constexpr (requires { &Plain::became; })
+    hardware.switched.became = callback<&Plain::became>(plain);
+}
 
 /// Volume at night and at speed.
 struct RoofBarSoundSettings {

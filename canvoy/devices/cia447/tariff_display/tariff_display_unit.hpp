@@ -26,6 +26,14 @@ struct TariffDisplayHardware {
   /// Lamp 1 (taxi light), 2 (vacant light), 3 (emergency light) to 16: off, on, dimmed or blinking.
   Callback<void(unsigned lamp, Lamp wanted)> drive = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TariffDisplayHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::drive; },
+      "the class has no member function of TariffDisplayHardware: drive");
+  if constexpr (requires { &Plain::drive; }) hardware.drive = callback<&Plain::drive>(plain);
+}
 
 /// Size of the display.
 struct TariffDisplaySettings {

@@ -24,6 +24,13 @@ struct TaxiAlarmHardware {
   /// Called on changes of an alarm, for lights, horn and microphone.
   Callback<void(bool silent, bool full)> alarm = {};
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TaxiAlarmHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::alarm; }, "the class has no member function of TaxiAlarmHardware: alarm");
+  if constexpr (requires { &Plain::alarm; }) hardware.alarm = callback<&Plain::alarm>(plain);
+}
 
 /// Effects of the keys.
 struct TaxiAlarmSettings {

@@ -43,6 +43,24 @@ struct TaximeterHardware {
   /// Keeps totals, trip and audit log; null: they are lost with power. Must outlive the unit.
   const Flash* flash = nullptr;
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TaximeterHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::clock; } || requires { &Plain::seal_is_open; } ||
+          requires { &Plain::show; } || requires { &Plain::recorded; } ||
+          requires { &Plain::turned_off; },
+      "the class has no member function of TaximeterHardware: clock, seal_is_open, show, recorded "
+      "or turned_off");
+  if constexpr (requires { &Plain::clock; }) hardware.clock = callback<&Plain::clock>(plain);
+  if constexpr (requires { &Plain::seal_is_open; })
+    hardware.seal_is_open = callback<&Plain::seal_is_open>(plain);
+  if constexpr (requires { &Plain::show; }) hardware.show = callback<&Plain::show>(plain);
+  if constexpr (requires { &Plain::recorded; })
+    hardware.recorded = callback<&Plain::recorded>(plain);
+  if constexpr (requires { &Plain::turned_off; })
+    hardware.turned_off = callback<&Plain::turned_off>(plain);
+}
 
 /// Example tariffs for day, and for night, Sundays and holidays.
 inline constexpr TariffLevel example_levels[] = {{.name = {'1', 0},

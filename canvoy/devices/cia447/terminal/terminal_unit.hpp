@@ -47,6 +47,19 @@ struct TerminalHardware {
   Callback<void(bool is_on)> buzz = {};                   ///< on or off
   Callback<void(TerminalWarning, bool is_on)> warn = {};  ///< a warning lamp, on or off
 };
+/// Sets it to the member functions of a plain class that have these names: see PlainHardware.
+template <class Plain>
+constexpr void set_by_names(TerminalHardware& hardware, Plain& plain) {
+  static_assert(
+      requires { &Plain::show; } || requires { &Plain::show_icon; } || requires { &Plain::buzz; } ||
+          requires { &Plain::warn; },
+      "the class has no member function of TerminalHardware: show, show_icon, buzz or warn");
+  if constexpr (requires { &Plain::show; }) hardware.show = callback<&Plain::show>(plain);
+  if constexpr (requires { &Plain::show_icon; })
+    hardware.show_icon = callback<&Plain::show_icon>(plain);
+  if constexpr (requires { &Plain::buzz; }) hardware.buzz = callback<&Plain::buzz>(plain);
+  if constexpr (requires { &Plain::warn; }) hardware.warn = callback<&Plain::warn>(plain);
+}
 
 /// Sizes of the displays.
 struct TerminalSettings {
