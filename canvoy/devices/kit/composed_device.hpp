@@ -5,6 +5,7 @@
 //     units.make(kind, network, environment);
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -16,6 +17,26 @@ namespace canvoy {
 
 /// For units without settings.
 struct NoSettings {};
+
+/// Parts in the order in which they are added, for devices composed at compile time.
+struct PartArray {
+  std::array<Part, 320> items{};  ///< more than a device has
+  std::size_t count = 0;          ///< of parts
+
+  /// Adds a part.
+  constexpr void push_back(const Part& part) { items[count++] = part; }
+  constexpr Part* begin() { return items.data(); }
+  constexpr Part* end() { return items.data() + count; }
+  constexpr const Part* begin() const { return items.data(); }
+  constexpr const Part* end() const { return items.data() + count; }
+};
+/// A description of the parts that the function `make` returns as a PartArray.
+template <auto make>
+constexpr auto describe_parts() {
+  DeviceDescription<make().count> description;
+  for (const Part& part : make()) description.add(part);
+  return description;
+}
 
 /// The types of a kind of virtual device.
 template <class UnitType, class HardwareType, class SettingsType>

@@ -18,29 +18,9 @@ inline constexpr BusSegment usual_segment{};
 
 namespace composing::detail {
 
-/// Parts in the order in which they are added.
-struct PartArray {
-  std::array<Part, 320> items{};  ///< more than a device has
-  std::size_t count = 0;          ///< of parts
-
-  /// Adds a part.
-  constexpr void push_back(const Part& part) { items[count++] = part; }
-  constexpr Part* begin() { return items.data(); }
-  constexpr Part* end() { return items.data() + count; }
-  constexpr const Part* begin() const { return items.data(); }
-  constexpr const Part* end() const { return items.data() + count; }
-};
-
 template <class Kind, const BusSegment& segment>
 constexpr PartArray make_parts() {
   return BusParts<PartArray>(only_bus_unit<Kind>, segment).make();
-}
-
-template <class Kind, const BusSegment& segment>
-constexpr auto describe_device() {
-  DeviceDescription<make_parts<Kind, segment>().count> description;
-  for (const Part& part : make_parts<Kind, segment>()) description.add(part);
-  return description;
 }
 
 /// A unit with its virtual device, which is the only one of its node.
@@ -73,7 +53,8 @@ struct BusBoard
     : KindOf<composing::detail::OnlyUnit<Kind>, typename Kind::Hardware, typename Kind::Settings> {
   static constexpr DeviceInfo info = Kind::info;  ///< as in the catalogue
   /// As bus_parts() has them.
-  static constexpr auto description = composing::detail::describe_device<Kind, segment>();
+  static constexpr auto description =
+      describe_parts<composing::detail::make_parts<Kind, segment>>();
   static constexpr std::size_t routes = Kind::routes;  ///< CAN-IDs that the unit itself receives
 };
 

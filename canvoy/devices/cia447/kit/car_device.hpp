@@ -14,22 +14,11 @@
 #include "canvoy/canopen/device/heap_node.hpp"
 #include "canvoy/devices/cia447/kit/car_master.hpp"
 #include "canvoy/devices/cia447/kit/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_parts.hpp"
 #include "canvoy/devices/cia447/kit/car_sleep.hpp"
-#include "canvoy/devices/kit/composed_device.hpp"
 #include "canvoy/devices/kit/part_tables.hpp"
-#include "canvoy/profiles/model/virtual_device.hpp"
 
 namespace canvoy::cia447 {
-
-/// One virtual device of a physical one (car_kind.hpp makes it of a kind).
-struct CarUnit {
-  DeviceInfo info;  ///< as in the catalogue
-  /// The virtual device, with its objects.
-  const VirtualDeviceInfo* provides = nullptr;
-  std::span<const ObjectInfo* const> consumes = {};  ///< of other devices
-  std::span<const ObjectInfo* const> own = {};       ///< of the manufacturer's area
-  UnitMaker<CarNetwork> unit;                        ///< makes its unit
-};
 
 /// The objects of such a device, sorted. An object of a provider has priority over that of a
 /// consumer.

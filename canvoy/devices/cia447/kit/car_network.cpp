@@ -30,6 +30,20 @@ NodeId sender_of(std::uint32_t can_id) {
 
 }  // namespace
 
+/// Folded tables may have one shape for an object of the profile and another one.
+AbortCode check_car_number(const DictionaryTables& tables, const EntryShape& row,
+                           const std::uint8_t* value) {
+  constexpr unsigned first_of_profile = 0x6000;
+  const AbortCode answer = check_number(tables, row, value);
+  if (answer != AbortCode::value_too_low && answer != AbortCode::value_too_high) return answer;
+  const auto place = static_cast<std::size_t>(&row - tables.entries.data());
+  const bool is_of_profile = std::ranges::any_of(tables.objects, [&](const ObjectRow& object) {
+    return object.index >= first_of_profile && place >= object.entry_first &&
+           place - object.entry_first < object.entry_count;
+  });
+  return is_of_profile ? AbortCode::value_range : answer;
+}
+
 constexpr AccessHandlers CarNetwork::hook_calls = {
     .first = object_index::sdo_client,
     .last = object_index::sdo_client_last,
@@ -87,7 +101,11 @@ void CarNetwork::pdo_came(const Frame& frame, Time now) {
   as_of_gateway.id = pdo_base(gateway_node_id) + (frame.id & offset_mask);
   // Passes it at once to the receiver, which may meanwhile ask for its sender.
   hands_on_ = true;
-  node_.router().dispatch(as_of_gateway, now);
+  if constexpr (is_small_machine) {
+    node_.receive(as_of_gateway, now);  // its RPDOs have no routes
+  } else {
+    node_.router().dispatch(as_of_gateway, now);
+  }
   hands_on_ = false;
 }
 

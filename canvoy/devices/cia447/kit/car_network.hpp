@@ -49,6 +49,12 @@ constexpr std::uint8_t mesh_channel_to(NodeId server) {
   return static_cast<std::uint8_t>(server == 0 ? 0 : server - 1);
 }
 
+/// For DictionaryTables::check_number: a code that an object of the profile does not have is
+/// reserved according to CiA 447-3, whether it is too high or too low: it is refused like any other
+/// one (4.2), with value_range.
+AbortCode check_car_number(const DictionaryTables& tables, const EntryShape& row,
+                           const std::uint8_t* value);
+
 /// Construct it before the node starts. Constant time for each frame that concerns it; no
 /// allocation.
 class CarNetwork {
