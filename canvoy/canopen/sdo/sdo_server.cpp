@@ -121,7 +121,8 @@ CANVOY_HANDLER void SdoServer::serve_further(const Frame& frame) {
   state_ = State::opening;
   const AbortCode answer = entry_.find(multiplexer_);
   // The application is not asked: on a host the state is still this one.
-  if (!is_small_machine && answer == AbortCode::none) [[likely]] return true;
+  if (!is_small_machine && answer == AbortCode::none) [[likely]]
+    return true;
   return opened(answer);
 }
 

@@ -57,4 +57,10 @@ constexpr ChargerHardware hardware_of(Stage& stage) {
   return hardware;
 }
 
+/// As those of other devices: see PlainHardware.
+template <ChargerStage Stage>
+constexpr void set_by_names(ChargerHardware& hardware, Stage& stage) {
+  hardware = hardware_of(stage);
+}
+
 }  // namespace canvoy::cia419
