@@ -133,15 +133,26 @@ constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
   return count;
 }
 
+/// Tables with the check of numbers that the type of their layout has (`number_check`), if it has
+/// one; the layout itself takes no memory for it.
+template <class Layout>
+constexpr DictionaryTables with_number_check(DictionaryTables tables) {
+  if constexpr (requires { Layout::number_check; }) tables.check_number = Layout::number_check;
+  return tables;
+}
+
 /// Tables in which a node of this layout looks up entries.
 template <const auto& layout, bool is_folded = is_small_machine>
 struct TablesOf {
-  static constexpr DictionaryTables value = tables_with_initial_values<layout>();
+  static constexpr DictionaryTables value =
+      with_number_check<std::remove_cvref_t<decltype(layout)>>(
+          tables_with_initial_values<layout>());
 };
 template <const auto& layout>
 struct TablesOf<layout, true> {
   static constexpr auto folded = fold_tables<layout>();
-  static constexpr DictionaryTables value = folded.tables();
+  static constexpr DictionaryTables value =
+      with_number_check<std::remove_cvref_t<decltype(layout)>>(folded.tables());
 };
 
 /// Memory for `count` items, or no member at all: even an empty array takes space.

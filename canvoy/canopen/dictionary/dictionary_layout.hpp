@@ -60,14 +60,12 @@ struct DictionaryLayout {
   std::uint32_t value_bytes = 0;                         ///< size of the block of values, in bytes
   /// See DictionaryTables.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
-  AbortCode (*check_number)(const DictionaryTables& tables, const EntryShape& row,
-                            const std::uint8_t* value) = &canvoy::check_number;
 
   /// Tables for nodes of this kind. They refer to this object, which must outlive them.
   constexpr DictionaryTables tables() const {
     DictionaryTables tables{objects, entries,     defaults,       numbers,
                             texts,   value_bytes, index_in_tables};
-    tables.check_number = needs_check() ? check_number : nullptr;
+    if (!needs_check()) tables.check_number = nullptr;
     return tables;
   }
 

@@ -57,7 +57,6 @@ constexpr Layout fold(const Layout& layout) {
   Layout folded;
   folded.value_bytes = layout.value_bytes;
   folded.index_in_tables = layout.index_in_tables;
-  folded.check_number = layout.check_number;
   for (const std::string_view text : layout.texts) folded.texts.push_back(text);
   for (ObjectRow object : layout.objects) {
     Counted<EntryShape, 256> shapes;
@@ -104,7 +103,6 @@ constexpr auto fold_tables() {
   for (const std::string_view text : folded.texts) exact.texts.push_back(text);
   exact.value_bytes = folded.value_bytes;
   exact.index_in_tables = folded.index_in_tables;
-  exact.check_number = folded.check_number;
   return exact;
 }
 

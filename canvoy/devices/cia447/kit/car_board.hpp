@@ -23,10 +23,14 @@ template <class Kind>
 constexpr PartArray make_parts() {
   return CarParts<PartArray>(only_unit<Kind>, CarNetworkSettings{}.heartbeat).make();
 }
+/// A layout of which the tables refuse codes as check_car_number() does.
 template <class Layout>
-constexpr Layout with_codes(Layout layout) {
-  layout.check_number = &check_car_number;
-  return layout;
+struct CodedLayout : Layout {
+  static constexpr auto number_check = &check_car_number;
+};
+template <class Layout>
+constexpr CodedLayout<Layout> with_codes(const Layout& layout) {
+  return {layout};
 }
 
 }  // namespace composing::detail
