@@ -3,7 +3,7 @@
 //
 //     BusLoad load(1'000'000'000);       // of the last second
 //     load.add(begin_ns, end_ns);        // for each frame, with its intermission, and each error
-//     frame double share = load.recent(now_ns);
+//     double share = load.recent(now_ns);
 #pragma once
 
 #include <algorithm>

@@ -106,8 +106,11 @@ def variants_of(sample, number, parameters):
     closing = "}}" if scope else "}"
 
     def function(name, body):
-        names = [*parameters.get((number, name), []), "any_value"]
-        types = ", ".join(f"class T{index}" for index in range(len(names)))
+        # What has members named by `::` is a class of the reader; all else a value.
+        unknown = parameters.get((number, name), [])
+        classes = [each for each in unknown if re.search(rf"(?<![\w.:]){each}::", text)]
+        names = [*(each for each in unknown if each not in classes), "any_value"]
+        types = ", ".join(f"class {each}" for each in [*classes, *(f"T{index}" for index in range(len(names)))])
         values = ", ".join(f"T{index}&& {each}" for index, each in enumerate(names))
         head = f"{opening} template <{types}> void sample_{number}_{name}({values}) {{"
         return f'{head}\n#line {sample.line} "{number}/{name}"\n{body}\n}}{closing}\n'
