@@ -112,8 +112,9 @@ def variants_of(sample, number, parameters):
         names = [*(each for each in unknown if each not in classes), "any_value"]
         types = ", ".join(f"class {each}" for each in [*classes, *(f"T{index}" for index in range(len(names)))])
         values = ", ".join(f"T{index}&& {each}" for index, each in enumerate(names))
-        head = f"{opening} template <{types}> void sample_{number}_{name}({values}) {{"
-        return f'{head}\n#line {sample.line} "{number}/{name}"\n{body}\n}}{closing}\n'
+        # A member function: `*this` is the object of the reader.
+        head = f"{opening} struct Sample_{number}_{name} {{ template <{types}> void read({values}) {{"
+        return f'{head}\n#line {sample.line} "{number}/{name}"\n{body}\n}}}};{closing}\n'
 
     declarations = f'{opening} namespace sample_{number} {{\n#line {sample.line} "{number}/declared"\n{text}\n}}{closing}\n'
     return {
