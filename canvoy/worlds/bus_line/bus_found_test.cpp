@@ -75,5 +75,29 @@ TEST(BusFoundWithoutAFault, NobodyIsToldAnotherStopThanTheNextOne) {
   EXPECT_EQ(broken_names(network), "");
 }
 
+/// A line of one direction: to the next start, in another fare zone, it drives without passengers.
+class BusFoundElsewhere : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(BusFoundElsewhere, NoZoneIsToldBeforeTheBusStandsAtItsStop) {
+  BusNetworkOptions options;
+  options.faults.seed = GetParam();
+  std::vector<Journey>& journeys = options.line.blocks[0].journeys;
+  journeys.resize(1);
+  journeys.push_back(journeys[0]);
+  journeys[1].number = 2;
+  for (Passing& passing : journeys[1].passings) {
+    passing.arrival += 50min;
+    passing.departure += 50min;
+  }
+  const BusRoute& route = options.line.routes[journeys[0].route];
+  ASSERT_NE(route.stops.front().fare_zone, route.stops.back().fare_zone);
+  BusNetwork network(options);
+  network.run_until(Time(70min));
+  EXPECT_EQ(broken_names(network), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, BusFoundElsewhere,
+                         testing::Range<std::uint64_t>(1, tries_all() ? 9 : 3));
+
 }  // namespace
 }  // namespace canvoy::bus_line::bus_found_test

@@ -247,8 +247,8 @@ JourneyTexts LineControl::texts() const {
 
 /// Sends nothing that is unknown.
 void LineControl::tell() {
-  const Told now = {journey_, position_.knows_stop(), position_.is_located(), position_.place(),
-                    position_.reached()};
+  const Told now = {journey_, position_.knows_stop(), position_.has_reached_stop(),
+                    position_.place(), position_.reached()};
   if (std::exchange(told_, now) == now) return;
   hardware_.computer->block_tickets(!now.knows_stop);
   if (now.knows_stop) {
@@ -274,7 +274,7 @@ void LineControl::report_position() {
   const std::size_t place = position_.place();
   const BusStop& stop = line().stop(journey_->route, place);
   // On the way to the first stop it has not reached another zone.
-  if (position_.is_located()) told_stop_ = route().stops[position_.reached()];
+  if (position_.has_reached_stop()) told_stop_ = route().stops[position_.reached()];
   using cia407::JourneyDirection;
   hardware_.computer->set_line_name(to_ascii(line().names_of(route()).name));
   hardware_.computer->set_stop_name(to_ascii(stop.short_name));

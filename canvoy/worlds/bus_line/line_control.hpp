@@ -135,7 +135,7 @@ class LineControl {
   struct Told {
     const Journey* journey = nullptr;
     bool knows_stop = false;
-    bool is_located = false;
+    bool has_reached_stop = false;
     std::size_t place = 0;
     std::size_t reached = 0;
 

@@ -63,6 +63,8 @@ class RoutePosition {
   bool knows_stop() const { return is_located_ || (route_ != nullptr && has_just_begun_); }
   /// Index of the stop in the route: the one at which it stands, or the next one.
   std::size_t place() const { return place_; }
+  /// False while it is unknown, and while it still rolls to the first stop.
+  bool has_reached_stop() const { return is_located_ && (is_exact_ || !is_at_stop_); }
   /// Index of the last stop that it has reached.
   std::size_t reached() const { return reached_; }
 
