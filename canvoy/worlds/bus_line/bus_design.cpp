@@ -136,6 +136,7 @@ std::string problem_of(const AddedDevice& device, const BusDesign& design) {
                                DeviceCode::train_bus_gateway}) {
     if (code == code_of(one)) return "a bus has one " + device.kind + " in a car, and no other";
   }
+  if (device.id == 0) return "node: its node-ID is missing";
   const bool is_counter = device.kind == counter_kind;
   if (is_counter != (device.door != 0)) {
     return is_counter ? "door: of which one it counts is missing"

@@ -205,6 +205,7 @@ TEST(BusDesign, WhatMakesNoBusIsSaid) {
   EXPECT_EQ(added({.kind = "identification", .id = 50}),
             "a bus has one identification in a car, and no other");
   EXPECT_EQ(added({.kind = "generic-io", .id = 11}), "node 11 is there already");
+  EXPECT_EQ(added({.kind = "generic-io"}), "node: its node-ID is missing");
   EXPECT_EQ(added({.kind = "passenger-counter", .id = 50}),
             "door: of which one it counts is missing");
   EXPECT_EQ(added({.kind = "generic-io", .id = 50, .door = 1}),
