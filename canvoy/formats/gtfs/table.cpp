@@ -53,18 +53,38 @@ std::size_t blank_length(std::string_view text) {
   return found == std::end(blanks) ? 0 : found->size();
 }
 
+/// Number of bytes of a leading character that nobody can read: one that controls, or that has no
+/// width or only a direction; 0: none.
+std::size_t hidden_length(std::string_view text) {
+  constexpr unsigned char first_visible = 0x20;
+  constexpr unsigned char delete_character = 0x7F;
+  const auto first_byte = static_cast<unsigned char>(text.front());
+  if (first_byte < first_visible || first_byte == delete_character) return 1;
+  const std::size_t length = formats::utf8_length(text);
+  const auto is_between = [&text, length](std::string_view first, std::string_view last) {
+    return length == first.size() && text.substr(0, length) >= first &&
+           text.substr(0, length) <= last;
+  };
+  const bool is_hidden =
+      is_between("\xC2\x80", "\xC2\x9F") || is_between("\xC2\xAD", "\xC2\xAD") ||
+      is_between("\xE2\x80\x8B", "\xE2\x80\x8F") || is_between("\xE2\x80\xAA", "\xE2\x80\xAE") ||
+      is_between("\xE2\x81\xA0", "\xE2\x81\xAF") || is_between("\xEF\xBB\xBF", "\xEF\xBB\xBF");
+  return is_hidden ? length : 0;
+}
+
 std::string in_one_line(std::string_view text) {
   std::string line;
   bool has_blank = false;
   while (!text.empty()) {
     const std::size_t blank = blank_length(text);
+    const std::size_t hidden = blank == 0 ? hidden_length(text) : 0;
     has_blank = has_blank || blank != 0;
-    if (blank == 0) {
+    if (blank == 0 && hidden == 0) {
       if (has_blank && !line.empty()) line += ' ';
       has_blank = false;
       line += text.front();
     }
-    text.remove_prefix(std::max<std::size_t>(blank, 1));
+    text.remove_prefix(std::max<std::size_t>(blank + hidden, 1));
   }
   return line;
 }

@@ -55,8 +55,9 @@ class Table {
 
   /// Text of a field; empty if the row or the file does not have it.
   std::string_view text(std::size_t column) const;
-  /// Text of a field for display: UTF-8 without control characters, in one line, with runs of
-  /// blanks and line ends as one blank. Text that is not UTF-8 is an error.
+  /// Text of a field for display: UTF-8 in one line, with runs of blanks and line ends as one
+  /// blank, and without characters that control, or have no width. Text that is not UTF-8 is an
+  /// error.
   std::string shown(std::size_t column);
   /// True if the field is UTF-8; else reports an error.
   bool check_utf8(std::size_t column);

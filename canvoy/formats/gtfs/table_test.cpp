@@ -62,6 +62,24 @@ TEST(Table, ColumnsAreFoundByTheirNamesInAnyOrder) {
   EXPECT_FALSE(table->error());
 }
 
+/// U+202E right-to-left override, U+200D zero width joiner, U+200F right-to-left mark, U+00AD soft
+/// hyphen, U+FEFF byte order mark.
+TEST(Table, WhatNobodyCanReadIsNoPartOfAName) {
+  constexpr static std::string_view columns[] = {"a"};
+  const FeedArchive archive =
+      FeedArchive::of_texts({{"x.txt",
+                              "a\nT\u202Ewo\u200D\n\u05D0\u200F 1\nT\x01w\x1Bo\x7F\n"
+                              "Bahn\u00ADhof\uFEFF\n\" One\r\n \tMore \"\n\u00E4\u2014\n"}});
+  host::Result<Table> table = Table::open(archive, "x.txt", columns);
+  ASSERT_TRUE(table);
+  for (const std::string_view name :
+       {"Two", "\u05D0 1", "Two", "Bahnhof", "One More", "\u00E4\u2014"}) {
+    ASSERT_TRUE(table->next());
+    EXPECT_EQ(table->shown(0), name);
+  }
+  EXPECT_FALSE(table->error());
+}
+
 TEST(Table, TheFirstThingThatIsWrongEndsIt) {
   constexpr static std::string_view columns[] = {"a"};
   const FeedArchive archive = FeedArchive::of_texts({{"x.txt", "a\n1\n2\n"}}, "feed.zip");
