@@ -437,18 +437,23 @@ SettingTable<TaxiRun> business_table() {
   return {
       "business",
       "who drives for whom, on receipts",
-      {setting<network, business, &Business::company>("company"),
+      {setting<network, business, &Business::taxi>("taxi", "its licence, on receipts"),
+       setting<network, business, &Business::company>("company"),
        setting<network, business, &Business::driver>("driver"),
        setting<network, business, &Business::vat_percent>("vat_percent", "that fares have in them",
                                                           {{0, vat_max}})},
       [](const TomlTable& table, TaxiRun& run) {
         constexpr std::size_t columns = 24;
         const Business& it = run.network.business;
-        for (const auto& [key, text] : {std::pair("company", it.company), {"driver", it.driver}}) {
-          if (text.size() <= columns && is_printable(text)) continue;
-          table.refuse(key, fmt::format("{} is no text of {} characters of ASCII", text_value(text),
-                                        columns));
-        }
+        constexpr std::size_t of_taxi = columns - std::string_view("TAXI ").size();
+        const auto check = [&table](const char* key, const std::string& text, std::size_t most) {
+          if (text.size() <= most && is_printable(text)) return;
+          table.refuse(
+              key, fmt::format("{} is no text of {} characters of ASCII", text_value(text), most));
+        };
+        check("taxi", it.taxi, of_taxi);
+        check("company", it.company, columns);
+        check("driver", it.driver, columns);
         if (std::abs(it.vat_percent * 10 - it.vat_permille()) > 1e-6) {
           table.refuse("vat_percent",
                        fmt::format("{} is no whole number of tenths", it.vat_percent));
@@ -535,11 +540,32 @@ void take_supplements(TaxiRun& run) {
 
 }  // namespace
 
+Setting<TaxiRun> taxi_identifier_setting() {
+  return mapped<TaxiRun, std::string>(
+      {.key = "taxi_identifier",
+       .takes = "a text of up to 19 characters of ASCII",
+       .read =
+           [](TaxiRun& run, const std::string& text) {
+             constexpr std::size_t columns = 24 - std::string_view("TAXI ").size();
+             if (text.size() > columns || !is_printable(text)) {
+               throw UsageError(fmt::format("{} is no text of {} characters of ASCII",
+                                            text_value(text), columns));
+             }
+             run.tariff->taxi_identifier = text;
+           },
+       .write = [](const TaxiRun& run) { return std::string(run.network.meter.taxi_identifier); }},
+      "60DAh:04h, as its receipts have it; without it, `taxi` of [business]");
+}
+
 void take_tariff(const TomlTable& file, TaxiRun& run) {
+  std::optional<std::string>& identifier = run.tariff->taxi_identifier;
+  if (!identifier) identifier = run.network.business.taxi;
+  run.network.meter.taxi_identifier = *identifier;
   take_supplements(run);
   check_coins(file, run);
   const cia447::Tariff tariff = run.tariff->tariff();
   run.network.tariff_of_town = run.network.meter.tariff = tariff;
+  run.network.currency_of_town = run.network.meter.currency;
   const bool names_holidays = std::ranges::any_of(
       tariff.hours, [](const TariffHours& hours) { return hours.days == cia447::on_holidays; });
   if (names_holidays && tariff.holidays.empty()) {

@@ -25,9 +25,10 @@ struct TariffParts {
   std::vector<cia447::TariffHours> hours;
   std::optional<std::vector<cia447::Holiday>> holidays;  ///< nothing: those of the example
   std::vector<TariffSupplement> supplements;
-  std::vector<cia447::SupplementKind> kinds;  ///< of the supplements
-  std::string code;                           ///< code of the currency
-  std::string symbol;                         ///< symbol of the currency
+  std::vector<cia447::SupplementKind> kinds;   ///< of the supplements
+  std::string code;                            ///< code of the currency
+  std::string symbol;                          ///< symbol of the currency
+  std::optional<std::string> taxi_identifier;  ///< of the meter; nothing: as the licence
 
   /// The tariff; missing parts are those of the example. Hours and supplements belong to the
   /// levels.

@@ -291,6 +291,7 @@ SettingTable<TaxiRun> taxi_device(NodeId id) {
   } else if (id == taxi::taximeter_id) {
     device.settings.push_back(setting<network, &TaxiOptions::meter, &cia447::TaximeterSettings::k>(
         "k", "pulses for a kilometre", {{1, 10'000'000}}));
+    device.settings.push_back(taxi_identifier_setting());
   }
   return device;
 }

@@ -19,6 +19,10 @@ constexpr double time_least = 0.2;
 constexpr double fare_share = 0.001;
 /// The meter's slices last a second, and begin at any moment: within two of them all is decided.
 constexpr Duration long_slice = 2s;
+/// Clocks differ by this at most.
+constexpr Duration clock_limit = 3s;
+/// The display has what was driven this time ago: a slice, and a moment of the bus.
+constexpr Duration shown_after = 2s;
 
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -49,7 +53,7 @@ double Trip::waiting_excess() const {
   return std::max(waiting_low - *metered_waiting, *metered_waiting - waiting_high);
 }
 double Trip::fare_excess() const {
-  return std::max(fare_low - metered_fare, metered_fare - fare_high);
+  return std::max({fare_low - metered_fare, metered_fare - fare_high, step_error, shown_error});
 }
 
 double Trip::total_error() const {
@@ -68,6 +72,7 @@ void FareReferee::hired(Time now, double metres, Duration key_time) {
   initial_ = level_->initial_fare;
   minimum_ = level_->minimum_fare;
   at_once_ = in_slices_ = slice_by_distance_ = slice_by_time_ = 0;
+  settled_.clear();
   slice_begin_ = last_ = now;
   first_metres_ = last_metres_ = metres;
   first_speed_.reset();
@@ -97,6 +102,7 @@ void FareReferee::step(Time now, double metres, const TripExcuse& excuse) {
   at_once_ += std::max(by_distance, by_time);
   slice(now, by_distance, by_time, excuse.fare);
   wait(time, by_distance, by_time, excuse.fare);
+  settle(now);
   trip_.metres = metres - first_metres_;
   trip_.seconds += time;
   if (!excuse.distance) trip_.sure_metres += metres - last_metres_;
@@ -141,13 +147,57 @@ void FareReferee::close_slice() {
   slice_begin_ = last_;
 }
 
+/// Keeps what is at least decided by now.
+void FareReferee::settle(Time now) {
+  constexpr std::size_t looks_max = 100;
+  settled_.push_back({now, in_slices_ + std::max(slice_by_distance_, slice_by_time_)});
+  if (settled_.size() > looks_max) settled_.pop_front();
+}
+
+double FareReferee::fare_above(double cost) const {
+  return std::max(minimum_, initial_ + std::max(0.0, cost));
+}
+
+/// Value of the limits of distance and time up to now.
+double FareReferee::limits_of_begin() const {
+  const double metres =
+      limit_of_distance(trip_.metres) + trip_.key_seconds * first_speed_.value_or(0);
+  const double time = limit_of_time(trip_.seconds) + trip_.key_seconds;
+  return level_->distance_rate * metres / metres_a_unit +
+         level_->time_rate * time / seconds_an_hour;
+}
+
+/// An agreed price does not grow; around a change of the tariff, both may apply.
+void FareReferee::look(Time now, double shown) {
+  if (!has_trip_ || trip_.agreed || trip_.has_tariff_change || !trip_.has_clock) return;
+  while (settled_.size() > 1 && settled_[1].at <= now - shown_after) settled_.pop_front();
+  const bool is_settled = !settled_.empty() && settled_.front().at <= now - shown_after;
+  const double settled = is_settled ? settled_.front().in_slices : 0;
+  const double unit = std::max<std::uint32_t>(level_->increment, 1);
+  const double low = fare_above(settled * (1 - fare_share) - limits_of_begin() - unit);
+  const double high = fare_above(at_once_ * (1 + fare_share) + limits_of_begin());
+  trip_.shown_error = std::max({trip_.shown_error, low - shown, shown - high});
+}
+
+std::array<std::array<char, 2>, 2> FareReferee::levels_about(Time now) const {
+  const Time before = std::max(trip_.begin, now - clock_limit);
+  return {level_at(before).name, level_at(now + clock_limit).name};
+}
+
+/// Levels of one step have no step between them.
+double FareReferee::step_error(double fare) const {
+  const bool is_one = std::ranges::all_of(
+      tariff_.levels, [this](const auto& level) { return level.increment == level_->increment; });
+  const bool has_steps = !trip_.agreed && trip_.has_clock && is_one && fare > minimum_;
+  if (!has_steps) return 0;
+  const double step = std::max<std::uint32_t>(level_->increment, 1);
+  return std::abs(std::remainder(fare - initial_, step));
+}
+
 Trip FareReferee::paid(Time now, const std::optional<cia447::TripData>& shown) {
   trip_.end = std::min(now, trip_.end);
   close_slice();
-  // Around the end, a clock may have either level.
-  constexpr Duration clock_limit = 3s;
-  const Time before = std::max(trip_.begin, trip_.end - clock_limit);
-  trip_.levels = {level_at(before).name, level_at(trip_.end + clock_limit).name};
+  trip_.levels = levels_about(trip_.end);
   trip_.key_metres = trip_.key_seconds * (first_speed_.value_or(0) + last_speed_);
   ask_fare();
   trip_.is_read = shown.has_value();
@@ -156,6 +206,7 @@ Trip FareReferee::paid(Time now, const std::optional<cia447::TripData>& shown) {
     trip_.metered_seconds = shown->duration;
     if (shown->waiting != cia447::TripData::unknown) trip_.metered_waiting = shown->waiting;
     trip_.metered_fare = shown->fare;
+    trip_.step_error = step_error(shown->fare);
     trip_.extras = shown->supplements;
     trip_.total = shown->total;
     trip_.paid = trip_.metered_fare + trip_.extras;

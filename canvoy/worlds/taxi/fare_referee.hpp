@@ -9,11 +9,13 @@
 //
 // It calculates independently, with real numbers and without slices of time; the meter decides for
 // slices of a second whether distance or time costs. The true fare therefore lies between two
-// bounds: decided at each moment, and decided for long slices.
+// bounds: decided at each moment, and decided for long slices. The fare on the display is between
+// them at each moment of the trip as well, and grows by whole steps of the tariff.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "canvoy/can/time.hpp"
@@ -67,15 +69,17 @@ struct Trip {
   /// Number of presses for each kind of the tariff's supplements.
   std::array<unsigned, cia447::supplement_kinds_max> pressed{};
   std::optional<double> agreed{};  ///< the agreed price, as a fare
-  bool is_by_card = false;         ///< false: in cash
-  bool knows_extras = true;        ///< the presses are seen here
-  double key_seconds = 0;          ///< time in which the meter processes the driver's key
-  double key_metres = 0;           ///< distance driven in that time, at the start and at the stop
-  bool is_read = true;             ///< values of the meter are known; otherwise nothing of it can
-                                   ///< be judged
-  bool has_clock = true;           ///< its clock, which selects the level of the tariff, is known
-                                   ///< here
-  bool has_lost_power = false;     ///< of the meter, during the trip
+  double step_error = 0;           ///< by which the fare is no whole number of the tariff's steps
+  double shown_error = 0;       ///< by which the display was outside of the bounds during the trip
+  bool is_by_card = false;      ///< false: in cash
+  bool knows_extras = true;     ///< the presses are seen here
+  double key_seconds = 0;       ///< time in which the meter processes the driver's key
+  double key_metres = 0;        ///< distance driven in that time, at the start and at the stop
+  bool is_read = true;          ///< values of the meter are known; otherwise nothing of it can
+                                ///< be judged
+  bool has_clock = true;        ///< its clock, which selects the level of the tariff, is known
+                                ///< here
+  bool has_lost_power = false;  ///< of the meter, during the trip
   bool may_lack_receipt = false;   ///< by a fault at its end
   TripExcuse excused{};            ///< for the whole trip
   bool has_tariff_change = false;  ///< of the town, during the trip
@@ -109,6 +113,10 @@ class FareReferee {
   void step(Time now, double metres, const TripExcuse& excuse = {});
   /// Sets the price that was agreed before the trip, in 0.001 of the currency unit.
   void agree(double price) { trip_.agreed = price; }
+  /// The passenger reads the fare on the display while driven, in 0.001 of the currency unit.
+  void look(Time now, double shown);
+  /// Names of the levels that may apply, since clocks differ by seconds.
+  std::array<std::array<char, 2>, 2> levels_about(Time now) const;
   /// The driver presses a service of the tariff.
   void press_extra(unsigned kind);
   /// The driver withdraws all services.
@@ -128,6 +136,10 @@ class FareReferee {
   void slice(Time now, double by_distance, double by_time, bool is_excused);
   void wait(double time, double by_distance, double by_time, bool is_excused);
   void ask_fare();
+  void settle(Time now);
+  double fare_above(double cost) const;
+  double limits_of_begin() const;
+  double step_error(double fare) const;
 
   const cia447::Tariff& tariff_;
   TownClock clock_;
@@ -138,6 +150,12 @@ class FareReferee {
   double minimum_ = 0;
   double at_once_ = 0;    ///< decided at each moment
   double in_slices_ = 0;  ///< decided for closed long slices
+  /// Cost that was decided for long slices at these times.
+  struct Settled {
+    Time at{};
+    double in_slices = 0;
+  };
+  std::deque<Settled> settled_;
   double slice_by_distance_ = 0;
   double slice_by_time_ = 0;
   bool was_excused_ = false;

@@ -35,6 +35,7 @@ struct Printed {
   double extras = 0;  ///< beside those of the tariff
   std::optional<double> total;
   std::optional<double> tax;
+  std::string_view tax_name;
   std::string_view payment;
 };
 
@@ -112,7 +113,10 @@ class Reader {
     if (line.name == "Agreed") return is_read(receipt.agreed, amount);
     if (line.name == "Extras") return is_read(receipt.extras, amount);
     if (line.name == "TOTAL") return is_read(receipt.total, sum_of(line.rest, truth_.currency));
-    if (line.name.starts_with("VAT ")) return is_read(receipt.tax, amount);
+    if (line.name.starts_with("VAT ")) {
+      receipt.tax_name = line.name;
+      return is_read(receipt.tax, amount);
+    }
     const auto& kinds = truth_.tariff.supplements;
     const auto kind = std::ranges::find_if(kinds, [&line](const cia447::SupplementKind& each) {
       return each.name.substr(0, name_length_max) == line.name;
@@ -132,6 +136,7 @@ class Reader {
       verdict_.difference += *receipt->total;
       return;
     }
+    expect(!is_found_[receipt->number - 1] || trips_[receipt->number - 1].may_lack_receipt);
     is_found_[receipt->number - 1] = true;
     judge(*receipt, trips_[receipt->number - 1]);
   }
@@ -168,11 +173,19 @@ class Reader {
     return is_same_amount(receipt.extras, others);
   }
 
+  /// `VAT 7.0 %`
+  std::string tax_name() const {
+    std::array<char, 24> name{};
+    std::snprintf(name.data(), name.size(), "VAT %.1f %%", truth_.vat_percent);
+    return name.data();
+  }
+
   bool is_tax(const Printed& receipt) const {
     if (truth_.vat_percent == 0) return !receipt.tax;
     const double coin = truth_.currency.coin;
     const double share = truth_.vat_percent / (100 + truth_.vat_percent);
-    return receipt.tax && std::abs(*receipt.tax - *receipt.total * share) <= coin / 2 + 1e-6;
+    return receipt.tax && receipt.tax_name == tax_name() &&
+           std::abs(*receipt.tax - *receipt.total * share) <= coin / 2 + 1e-6;
   }
 
   void judge_times(const Printed& receipt, const Trip& trip) {

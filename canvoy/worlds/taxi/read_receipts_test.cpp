@@ -104,6 +104,14 @@ TEST(ReadReceipts, WithoutATripThereIsNothingToJudge) {
   EXPECT_EQ(verdict.lines, 0u);
 }
 
+TEST(ReadReceipts, ATripHasOneReceiptWithItsNumberAndTheTaxThatIsTheTowns) {
+  Lines lines = both();
+  for (const std::string& line : first_receipt()) lines.push_back(line);
+  EXPECT_EQ(read(lines).wrong_lines, 1u) << "the first one is printed twice";
+  EXPECT_NE(read(both_with(2, "Receipt 2")).difference, 0);
+  EXPECT_NE(read(both_with(12, "VAT 9.0 %          0.80")).wrong_lines, 0u);
+}
+
 TEST(ReadReceipts, EachTotalThatIsNotWhatWasPaidCounts) {
   Lines lines = both_with(11, "TOTAL             12.00 EUR");
   lines.at(24) = "TOTAL              7.10 EUR";

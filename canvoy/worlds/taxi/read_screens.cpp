@@ -13,7 +13,21 @@ namespace {
 constexpr double stale_metres = 150;
 /// The distance to a destination is shown in hundreds of metres.
 constexpr double told_step = 100;
-constexpr double half_a_cent = 5;  ///< in 0.001 of the currency unit
+
+bool is_amount(const std::optional<ShownAmount>& shown, double amount,
+               const cia447::Currency& currency) {
+  return shown && std::abs(shown->amount - amount) <= currency.coin / 2.0 &&
+         shown->currency == currency.code;
+}
+
+/// Printable characters of a level's name.
+std::string name_of(const std::array<std::uint8_t, 2>& level) {
+  std::string name;
+  for (const std::uint8_t one : level) {
+    if (one >= ' ' && one < 0x7F) name += static_cast<char>(one);
+  }
+  return name;
+}
 
 /// True if a place of this name is the nearest one there, or not much farther.
 bool is_near(std::string_view street, const cia447::GeoPosition& position,
@@ -29,12 +43,16 @@ bool is_near(std::string_view street, const cia447::GeoPosition& position,
 
 }  // namespace
 
-bool fare_is_right(std::string_view text, const cia447::TaximeterDisplay& shown) {
-  const std::optional<double> fare = read_fare(text);
+bool fare_is_right(std::string_view text, const cia447::TaximeterDisplay& shown,
+                   const cia447::Currency& currency) {
   const bool has_passengers =
       shown.state == cia447::Taximeter::hired || shown.state == cia447::Taximeter::stopped;
-  if (!has_passengers) return !fare.has_value();
-  return fare && std::abs(*fare - shown.trip.fare) <= half_a_cent;
+  if (!has_passengers) return !read_fare(text).has_value();
+  const cia447::TripData& trip = shown.trip;
+  const bool has_extras = trip.supplements != 0 && trip.supplements != cia447::TripData::unknown;
+  return is_amount(read_amount(text, "FARE"), trip.fare, currency) &&
+         read_level(text) == name_of(trip.level) &&
+         (!has_extras || is_amount(read_amount(text, "EXTRAS"), trip.supplements, currency));
 }
 
 bool place_is_right(std::string_view text, const TruePlace& truth) {

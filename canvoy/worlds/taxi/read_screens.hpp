@@ -1,7 +1,8 @@
-// Judges the text on the terminal of a taxi: compares the fare with that of the meter, and the
-// place and the distance to the destination with the position of the car.
+// Judges the text on the terminal of a taxi: compares tariff, fare, extras and currency with those
+// of the meter and of the town, and the place and the distance to the destination with the position
+// of the car.
 //
-//     fare_is_right(screens.fare(), meter.display())
+//     fare_is_right(screens.fare(), meter.display(), currency_of_town)
 //     const TruePlace truth{.here = position, .destination = destination, .places = town_places};
 //     place_is_right(screens.place(), truth)
 #pragma once
@@ -15,9 +16,10 @@
 
 namespace canvoy::taxi {
 
-/// While there are passengers, the text must be the fare in hundredths; otherwise there must be
-/// none.
-bool fare_is_right(std::string_view text, const cia447::TaximeterDisplay& shown);
+/// While there are passengers, the text must be the tariff's level, the fare and the extras in
+/// coins of this currency; otherwise there must be none.
+bool fare_is_right(std::string_view text, const cia447::TaximeterDisplay& shown,
+                   const cia447::Currency& currency);
 
 /// Position and destination of a car.
 struct TruePlace {

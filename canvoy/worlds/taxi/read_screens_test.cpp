@@ -11,12 +11,28 @@ TEST(ReadScreens, TheFareIsReadInHundredthsWhileThereArePassengers) {
   cia447::TaximeterDisplay shown;
   shown.state = cia447::Taximeter::hired;
   shown.trip.fare = 12'304;
-  EXPECT_TRUE(fare_is_right("Tariff 1\nFARE      12.30 EUR", shown));
-  EXPECT_FALSE(fare_is_right("Tariff 1\nFARE      12.20 EUR", shown));
-  EXPECT_FALSE(fare_is_right("", shown));
+  shown.trip.level = {'1', 0};
+  EXPECT_TRUE(fare_is_right("Tariff 1\nFARE      12.30 EUR", shown, {}));
+  EXPECT_FALSE(fare_is_right("Tariff 1\nFARE      12.20 EUR", shown, {}));
+  EXPECT_FALSE(fare_is_right("", shown, {}));
   shown.state = cia447::Taximeter::for_hire;
-  EXPECT_TRUE(fare_is_right("", shown));
-  EXPECT_FALSE(fare_is_right("Tariff 1\nFARE      12.30 EUR", shown));
+  EXPECT_TRUE(fare_is_right("", shown, {}));
+  EXPECT_FALSE(fare_is_right("Tariff 1\nFARE      12.30 EUR", shown, {}));
+}
+
+TEST(ReadScreens, TariffExtrasAndCurrencyAreReadAsWell) {
+  cia447::TaximeterDisplay shown;
+  shown.state = cia447::Taximeter::hired;
+  shown.trip.fare = 12'300;
+  shown.trip.supplements = 2500;
+  shown.trip.level = {'N', '2'};
+  const cia447::Currency francs = {.code = "CHF"};
+  EXPECT_TRUE(fare_is_right("Tariff N2\nFARE      12.30 CHF\nEXTRAS     2.50 CHF", shown, francs));
+  EXPECT_FALSE(fare_is_right("Tariff N\nFARE      12.30 CHF\nEXTRAS     2.50 CHF", shown, francs));
+  EXPECT_FALSE(fare_is_right("FARE      12.30 CHF\nEXTRAS     2.50 CHF", shown, francs));
+  EXPECT_FALSE(fare_is_right("Tariff N2\nFARE      12.30 EUR\nEXTRAS     2.50 CHF", shown, francs));
+  EXPECT_FALSE(fare_is_right("Tariff N2\nFARE      12.30 CHF\nEXTRAS     1.50 CHF", shown, francs));
+  EXPECT_FALSE(fare_is_right("Tariff N2\nFARE      12.30 CHF", shown, francs));
 }
 
 TEST(ReadScreens, TheStreetIsTheNearestOne) {

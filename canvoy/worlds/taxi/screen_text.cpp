@@ -10,6 +10,7 @@ namespace canvoy::taxi {
 
 namespace {
 
+constexpr std::string_view level_word = "Tariff ";
 constexpr std::string_view fare_word = "FARE";
 constexpr std::string_view arrow = "> ";
 constexpr std::string_view to_go = " km to go";
@@ -22,12 +23,32 @@ std::string with_digits(double number, int digits) {
   return {text.data(), error == std::errc{} ? end : text.data()};
 }
 
-/// Number at the beginning of the text, after spaces.
-std::optional<double> read_number(std::string_view text) {
+std::string_view behind_spaces(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text;
+}
+
+/// Number at the beginning of the text, after spaces, which is removed with them.
+std::optional<double> take_number(std::string_view& text) {
+  text = behind_spaces(text);
   double number = 0;
   const auto [end, error] = real_from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} ? std::optional(number) : std::nullopt;
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+std::optional<double> read_number(std::string_view text) {
+  return take_number(text);
+}
+
+/// Rest of the line that begins with a word; empty: there is none.
+std::optional<std::string_view> rest_of_line(std::string_view text, std::string_view word) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.starts_with(word)) return line.substr(word.size());
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return std::nullopt;
 }
 
 std::string amount_line(std::string_view name, std::uint32_t amount,
@@ -49,7 +70,7 @@ std::string trip_text(const cia447::TaximeterDisplay& display, const cia447::Cur
       display.state == cia447::Taximeter::hired || display.state == cia447::Taximeter::stopped;
   const cia447::TripData& trip = display.trip;
   if (!has_passengers || trip.fare == cia447::TripData::unknown) return {};
-  std::string text = "Tariff ";
+  std::string text(level_word);
   for (const std::uint8_t character : trip.level) {
     if (character >= ' ' && character < 0x7F) text += static_cast<char>(character);
   }
@@ -71,10 +92,20 @@ std::string place_text(const ShownPlace& shown) {
 }
 
 std::optional<double> read_fare(std::string_view text) {
-  const std::size_t at = text.find(fare_word);
-  if (at == std::string_view::npos) return std::nullopt;
-  const std::optional<double> fare = read_number(text.substr(at + fare_word.size()));
-  return fare ? std::optional(std::round(*fare * thousandths)) : std::nullopt;
+  const std::optional<ShownAmount> fare = read_amount(text, fare_word);
+  return fare ? std::optional(fare->amount) : std::nullopt;
+}
+
+std::optional<ShownAmount> read_amount(std::string_view text, std::string_view name) {
+  std::optional<std::string_view> line = rest_of_line(text, name);
+  if (!line) return std::nullopt;
+  const std::optional<double> amount = take_number(*line);
+  if (!amount) return std::nullopt;
+  return ShownAmount{std::round(*amount * thousandths), behind_spaces(*line)};
+}
+
+std::string_view read_level(std::string_view text) {
+  return rest_of_line(text, level_word).value_or(std::string_view());
 }
 
 std::string_view read_street(std::string_view text) {

@@ -27,6 +27,15 @@ std::string place_text(const ShownPlace& shown);
 
 /// Fare in the text, in 0.001 of the currency unit.
 std::optional<double> read_fare(std::string_view text);
+/// Amount in 0.001 of the currency unit, and the code behind it.
+struct ShownAmount {
+  double amount = 0;
+  std::string_view currency{};  ///< to the end of the line
+};
+/// Amount in the line with this name; empty: there is none.
+std::optional<ShownAmount> read_amount(std::string_view text, std::string_view name);
+/// Name of the tariff's level in the text; empty: there is none.
+std::string_view read_level(std::string_view text);
 /// Street in the text.
 std::string_view read_street(std::string_view text);
 /// Street of the destination in the text.

@@ -98,10 +98,14 @@ class RoofSign {
   RoofSign& operator=(const RoofSign&) = delete;
 
   /// The result must not outlive this object.
-  cia447::TariffDisplayHardware hardware() { return {.drive = callback<&RoofSign::drive>(*this)}; }
+  cia447::TariffDisplayHardware hardware() {
+    return {.drive = callback<&RoofSign::drive>(*this),
+            .show_level = callback<&RoofSign::show_level>(*this)};
+  }
   /// Switches all off: call it when the display has no power.
   void darken() {
     lamps_.fill(cia447::Lamp::off);
+    level_ = {};
     is_vacant_ = false;
     has_alarm_ = false;
   }
@@ -110,6 +114,10 @@ class RoofSign {
   const Lamps& lamps() const { return lamps_; }
   /// True while the light for a vacant taxi is on.
   bool is_vacant() const { return is_vacant_; }
+  /// True while the taxi light is on.
+  bool is_lit() const { return lamps_[0] == cia447::Lamp::on; }
+  /// Characters of the tariff level; 0: none.
+  const std::array<char, 2>& level() const { return level_; }
   /// True while the emergency light blinks.
   bool has_alarm() const { return has_alarm_; }
 
@@ -117,14 +125,23 @@ class RoofSign {
   void drive(unsigned lamp, cia447::Lamp wanted) {
     constexpr unsigned vacant = 2;
     constexpr unsigned emergency = 3;
-    if (sabotage_.cuts_sign) return;
+    if (sabotage_.cuts_sign || (sabotage_.cuts_taxi_light && lamp == 1)) return;
     if (lamp >= 1 && lamp <= lamps_.size()) lamps_[lamp - 1] = wanted;
     if (lamp == vacant) is_vacant_ = wanted == cia447::Lamp::on;
     if (lamp == emergency) has_alarm_ = wanted == cia447::Lamp::blinking;
   }
 
+  void show_level(const std::array<std::uint8_t, 2>& level) {
+    if (sabotage_.cuts_sign || sabotage_.cuts_level) return;
+    const auto shown = [](std::uint8_t one) {
+      return one > ' ' && one < 0x7F ? static_cast<char>(one) : '\0';
+    };
+    level_ = {shown(level[0]), shown(level[1])};
+  }
+
   const Sabotage& sabotage_;
   Lamps lamps_{};
+  std::array<char, 2> level_{};
   bool is_vacant_ = false;
   bool has_alarm_ = false;
 };

@@ -108,10 +108,15 @@ bool TaxiMeter::heard(cia447::Taximeter state) {
   return true;
 }
 
+const Business& TaxiMeter::printed_business() const {
+  return sabotage_.printed ? *sabotage_.printed : options_.business;
+}
+
 cia447::PaperHead TaxiMeter::paper_head() const {
+  const Business& business = printed_business();
   return {.taxi = options_.meter.taxi_identifier,
-          .company = sabotage_.company.empty() ? options_.business.company : sabotage_.company,
-          .driver = options_.business.driver,
+          .company = business.company,
+          .driver = business.driver,
           .currency = options_.meter.currency,
           .distance_unit = options_.meter.distance_unit};
 }
@@ -122,13 +127,13 @@ void TaxiMeter::print_receipt(std::uint32_t number, std::string_view payment) {
     return static_cast<std::int32_t>(town_.ahead(utc));
   };
   const cia447::Receipt receipt(display_.trip,
-                                {.number = number,
+                                {.number = number + sabotage_.receipts_skipped,
                                  .head = paper_head(),
                                  .utc_offset = ahead(display_.trip.finish),
                                  .utc_offset_at_start = ahead(display_.trip.start),
                                  .kinds = unit_->tariff().supplements,
                                  .of_kinds = unit_->record().trip.supplements_of_kind,
-                                 .vat_permille = options_.business.vat_permille(),
+                                 .vat_permille = printed_business().vat_permille(),
                                  .payment = payment});
   outputs_->print(receipt.text());
 }

@@ -163,6 +163,7 @@ class TaxiMeter {
   MeterKeys keys_of_others();
   bool begin_calibration();
   std::optional<std::uint32_t> end_calibration(std::uint32_t metres);
+  const Business& printed_business() const;
   cia447::PaperHead paper_head() const;
 
   car::CarBus& bus_;

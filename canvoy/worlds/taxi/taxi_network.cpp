@@ -76,6 +76,8 @@ constexpr Duration key_time = 1s;
 /// The key of a real meter takes effect here when its state comes over the bus, which may take some
 /// time while this machine is busy.
 constexpr Duration heard_key_time = 5s;
+/// By then, a paper is out of the printer.
+constexpr Duration printing = 30s;
 
 ShiftOptions shift_options(const TaxiOptions& options) {
   ShiftOptions made = options.shift;
@@ -189,7 +191,11 @@ TripExcuse TaxiNetwork::excuse(Time now) {
 /// The display of a real meter cannot be seen here.
 void TaxiNetwork::watch_meter(Time now) {
   if (!is_played(taximeter_id)) return;
-  if (const auto total = watch_.look(now, car_.meter().display())) trips_.meter_ended(*total);
+  const cia447::TaximeterDisplay& display = car_.meter().display();
+  if (const auto total = watch_.look(now, display)) trips_.meter_ended(*total);
+  const bool has_fare =
+      display.state == cia447::Taximeter::hired && display.trip.fare != cia447::TripData::unknown;
+  if (has_fare) trips_.look(now, display.trip.fare);
 }
 
 /// A driver who finds the meter with the previous passengers, since it had no power when they left,
@@ -307,8 +313,10 @@ void TaxiNetwork::pay(Time now) {
 void TaxiNetwork::print_papers(Activity from) {
   if (from == Activity::releasing) {
     real_meter_.expect_receipt();
-    car_.meter().print_receipt(static_cast<std::uint32_t>(trips_.trips().size()),
-                               trips_.trips().back().is_by_card ? "card" : "cash");
+    if (tampering_.acts() != 0) world_.at(now() + printing, [this](Time) { read_receipts(); });
+    car_.meter().print_receipt(
+        static_cast<std::uint32_t>(trips_.trips().size()),
+        trips_.trips().back().is_by_card != sabotage_.swaps_payment ? "card" : "cash");
   } else if (from == Activity::signing_off) {
     driven_.end = now();
     driven_.metres = car_.drive().metres() - driven_.metres;
@@ -319,8 +327,8 @@ void TaxiNetwork::print_papers(Activity from) {
 PaperTruth TaxiNetwork::paper_truth() const {
   return {.clock = {local_seconds(options_.begin), options_.zone},
           .tariff = options_.tariff_of_town,
-          .currency = options_.meter.currency,
-          .taxi = options_.meter.taxi_identifier,
+          .currency = options_.currency_of_town,
+          .taxi = options_.business.taxi,
           .company = options_.business.company,
           .driver = options_.business.driver,
           .vat_percent = options_.business.vat_percent};
@@ -341,6 +349,13 @@ void TaxiNetwork::judge_slip(std::size_t first_line) {
   trips_.judge_slip(lines.subspan(std::min(first_line, lines.size())), paper_truth(), driven_);
 }
 
+/// Passengers read their receipt when they get it, not at the end of the shift.
+void TaxiNetwork::read_receipts() {
+  if (!is_played(taximeter_id) || !is_played(printer_id)) return;
+  const auto read = judge_receipts(car_.paper().lines(), trips_.trips(), paper_truth());
+  if (read.wrong_lines != 0) tampering_.passengers_see();
+}
+
 /// Judges the totals of the shift, and sends the network to sleep.
 void TaxiNetwork::end_shift(Time now) {
   is_over_ = true;
@@ -350,7 +365,6 @@ void TaxiNetwork::end_shift(Time now) {
   const bool is_read = is_played(taximeter_id) && is_played(printer_id);
   if (is_read) trips_.judge_receipts(car_.paper().lines(), paper_truth());
   if (is_read && is_played(driver_id) && is_played(cia447::gateway_node_id)) {
-    constexpr Duration printing = 30s;
     world_.at(now + printing,
               [this, first = car_.paper().lines().size()](Time) { judge_slip(first); });
   }

@@ -199,6 +199,7 @@ class TaxiNetwork {
   void choose_destination();
   void pay(Time now);
   void print_papers(Activity from);
+  void read_receipts();
   void watch_shift(Time now);
   void judge_slip(std::size_t first_line);
   PaperTruth paper_truth() const;

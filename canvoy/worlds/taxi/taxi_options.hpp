@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,8 +49,9 @@ struct CarNetworkOptions {
   cia447::CarSleepSettings sleep{};    ///< of all devices
 };
 
-/// Company and driver.
+/// Licence, company and driver.
 struct Business {
+  std::string taxi = "M-TX 447";      ///< identifier of the taxi, on receipts and slips
   std::string company = "Isar Taxi";  ///< on receipts and slips
   std::string driver = "A. Driver";   ///< on the driver's card, and on papers
   double vat_percent = 7;             ///< percentage of fares, to tenths; 0: none is printed
@@ -75,10 +77,12 @@ struct TaxiOptions {
   ShiftOptions shift{};             ///< its end and presses_max follow from the rest
   CarNetworkOptions car_network{};  ///< times of the network
   cia447::CarSettings car{};        ///< of the gateway: wheels and ranges
-  /// Receipts show the taxi's identifier as the meter has it (60DAh:04h).
+  /// Receipts show the taxi's identifier (60DAh:04h) and the currency as the meter has them.
   cia447::TaximeterSettings meter{.k = 24'000, .taxi_identifier = "M-TX 447"};
   /// Tariff for what passengers owe; that of the meter is in its settings, and must be the same.
   cia447::Tariff tariff_of_town = cia447::example_tariff;
+  /// Currency that passengers pay with; that of the meter must be the same.
+  cia447::Currency currency_of_town = {};
   /// Record of a drive; null: the drive follows from the people, by chance.
   std::shared_ptr<const car::DriveRecord> record{};
   /// Places of the navigation system; they must outlive this object.
@@ -89,13 +93,17 @@ struct TaxiOptions {
 
 /// Failures beyond those of the plan, so that each referee has something to detect.
 struct Sabotage {
-  double pocketed = 0;           ///< amount beyond the meter's, from each passenger
-  bool mutes_alarm = false;      ///< the aerial of the alarm's radio
-  bool cuts_sign = false;        ///< the wires from the tariff display to its lamps
-  bool speaks_asleep = false;    ///< a frame is sent while all devices sleep
-  bool blocks_keys = false;      ///< the keys of the meter
-  bool cuts_screen = false;      ///< the wires to display 1 of the terminal
-  std::string_view company{};    ///< company on receipts in place of the right one
+  double pocketed = 0;                ///< amount beyond the meter's, from each passenger
+  bool mutes_alarm = false;           ///< the aerial of the alarm's radio
+  bool cuts_sign = false;             ///< the wires from the tariff display to its lamps
+  bool speaks_asleep = false;         ///< a frame is sent while all devices sleep
+  bool blocks_keys = false;           ///< the keys of the meter
+  bool cuts_screen = false;           ///< the wires to display 1 of the terminal
+  std::optional<Business> printed{};  ///< on receipts and slips in place of the right one
+  bool swaps_payment = false;         ///< receipts say the other kind of payment
+  unsigned receipts_skipped = 0;      ///< is added to the numbers of receipts
+  bool cuts_taxi_light = false;       ///< the wire to the taxi light
+  bool cuts_level = false;            ///< the wires to the level on the roof
   bool blinds_receiver = false;  ///< the GPS receiver keeps reporting the position of the start
 };
 

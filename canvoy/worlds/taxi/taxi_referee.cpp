@@ -106,13 +106,23 @@ bool TaxiReferee::is_awake(NodeId id) {
   return node.is_powered() && node.device().sleep().state() == cia447::SleepState::awake;
 }
 
-/// People at the road see whether the taxi is vacant.
+/// People at the road see whether it is a taxi at work, whether it is vacant, and by which level of
+/// the tariff passengers are driven.
 void TaxiReferee::judge_sign(Time now) {
-  const bool is_vacant = car_.meter().display().state == cia447::Taximeter::for_hire;
+  using cia447::Taximeter;
+  const Taximeter state = car_.meter().display().state;
   const bool can_be_seen =
       now >= settled_at && is_awake(sign_id) && car_.bus().has_power(taximeter_id);
-  sign_.judge_unless(!can_be_seen || is_excused(InvariantKind::roof_sign, now), now,
-                     car_.sign().is_vacant() == is_vacant);
+  const bool is_free = !can_be_seen || is_excused(InvariantKind::roof_sign, now);
+  sign_.judge_unless(is_free, now, car_.sign().is_vacant() == (state == Taximeter::for_hire));
+  const bool is_at_work = state != Taximeter::signed_off && state != Taximeter::standby_mode;
+  taxi_light_.judge_unless(is_free, now, car_.sign().is_lit() == is_at_work);
+  level_sign_.judge_unless(is_free || state != Taximeter::hired, now, level_is_shown(now));
+}
+
+bool TaxiReferee::level_is_shown(Time now) const {
+  const auto levels = trips_.levels_about(now);
+  return !levels || std::ranges::find(*levels, car_.sign().level()) != levels->end();
 }
 
 /// People at the road see it and call the police, and the control room receives it; and for a while
@@ -130,8 +140,9 @@ void TaxiReferee::judge_alarm(Time now) {
 void TaxiReferee::judge_terminal(Time now) {
   const bool can_be_read = now >= settled_at && is_awake(terminal_id);
   const bool has_fare = can_be_read && is_awake(taximeter_id);
-  fare_screen_.judge_unless(!has_fare || is_excused(InvariantKind::terminal_fare, now), now,
-                            fare_is_right(car_.screens().fare(), car_.meter().display()));
+  fare_screen_.judge_unless(
+      !has_fare || is_excused(InvariantKind::terminal_fare, now), now,
+      fare_is_right(car_.screens().fare(), car_.meter().display(), options_.currency_of_town));
   const bool has_place = can_be_read && is_awake(driver_id) && is_awake(navigation_id);
   const bool is_free = !has_place || is_excused(InvariantKind::terminal_place, now);
   place_screen_.judge_unless(is_free, now, is_free || place_is_shown());
@@ -207,7 +218,9 @@ std::vector<Invariant> TaxiReferee::verdicts() const {
       of_trips(InvariantKind::receipts, cents),
       of_trips(InvariantKind::receipt_lines, 1),
       of_trips(InvariantKind::shift_slip, 1),
-      in_time(InvariantKind::roof_sign, sign_, sign_bound),
+      in_time(InvariantKind::roof_sign,
+              std::max({sign_.worst(), taxi_light_.worst(), level_sign_.worst()}), sign_bound,
+              sign_.judged()),
       in_time(InvariantKind::alarm, alarm_, alarm_bound),
       in_time(InvariantKind::terminal_fare, fare_screen_, screen_bound),
       in_time(InvariantKind::terminal_place, place_screen_, screen_bound),

@@ -50,6 +50,7 @@ class TaxiReferee {
   void judge_service(Time now);
   void judge_devices(Time now);
   void judge_sign(Time now);
+  bool level_is_shown(Time now) const;
   void judge_alarm(Time now);
   void judge_terminal(Time now);
   bool is_awake(NodeId id);
@@ -67,7 +68,9 @@ class TaxiReferee {
   bool waits_for_real_;  ///< false once all were present: no device is waited for after that
   car::SilenceReferee silence_;
   WrongTime wait_;  ///< of people who want to ride or to pay
-  WrongTime sign_;
+  WrongTime sign_;  ///< the light for a vacant taxi
+  WrongTime taxi_light_;
+  WrongTime level_sign_;
   WrongTime alarm_;
   Time alarm_seen_{};  ///< last time of an alarm light
   WrongTime fare_screen_;

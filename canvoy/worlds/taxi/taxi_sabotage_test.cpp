@@ -172,6 +172,21 @@ constexpr cia447::TariffLevel coarse[] = {{.name = {'1', 0},
                                            .distance_rate = 2300,
                                            .time_rate = 33'000,
                                            .increment = 2000}};
+constexpr cia447::TariffLevel twice[] = {{.name = {'1', 0},
+                                          .initial_fare = 3900,
+                                          .distance_rate = 2300,
+                                          .time_rate = 33'000,
+                                          .increment = 200}};
+constexpr cia447::TariffLevel half[] = {{.name = {'1', 0},
+                                         .initial_fare = 3900,
+                                         .distance_rate = 2300,
+                                         .time_rate = 33'000,
+                                         .increment = 50}};
+constexpr cia447::TariffLevel renamed[] = {{.name = {'D', 0},
+                                            .initial_fare = 3900,
+                                            .distance_rate = 2300,
+                                            .time_rate = 33'000,
+                                            .increment = 100}};
 constexpr cia447::SupplementKind dear_supplements[] = {{.name = "Luggage", .price = 2000}};
 constexpr cia447::SupplementKind renamed_supplements[] = {{.name = "Airport", .price = 1000}};
 
@@ -224,7 +239,35 @@ const Sabotage sabotages[] = {
        });
      }},
     {"AReceiptOfAnotherCompany", InvariantKind::receipt_lines, [](TaxiOptions&) {},
-     [](TaxiNetwork& network) { network.sabotage().company = "Isar Cabs"; }},
+     [](TaxiNetwork& network) { network.sabotage().printed = Business{.company = "Isar Cabs"}; }},
+    {"AReceiptOfAnotherDriver", InvariantKind::receipt_lines, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().printed = Business{.driver = "B. Driver"}; }},
+    {"AReceiptWithMoreTax", InvariantKind::receipt_lines, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().printed = Business{.vat_percent = 19}; }},
+    {"AReceiptOfAnotherTaxi", InvariantKind::receipt_lines,
+     [](TaxiOptions& options) { options.meter.taxi_identifier = "M-TX 448"; }},
+    {"AReceiptOfAnotherTown", InvariantKind::receipt_lines,
+     [](TaxiOptions& options) { options.business.taxi = "B-TX 447"; }},
+    {"AReceiptInAnotherCurrency", InvariantKind::receipt_lines,
+     [](TaxiOptions& options) { options.meter.currency = {.code = "USD", .symbol = "USD"}; }},
+    {"ATerminalInAnotherCurrency", InvariantKind::terminal_fare,
+     [](TaxiOptions& options) { options.meter.currency = {.code = "USD", .symbol = "USD"}; }},
+    {"AReceiptThatSaysTheOtherPayment", InvariantKind::receipt_lines, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().swaps_payment = true; }},
+    {"AReceiptWithTheNumberOfAnother", InvariantKind::receipts, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().receipts_skipped = 1; }},
+    {"AStepOfTwiceTheTowns", InvariantKind::fare,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = twice}; }},
+    {"AStepOfHalfTheTowns", InvariantKind::fare,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = half}; }},
+    {"ALevelOfAnotherNameOnTheRoof", InvariantKind::roof_sign,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = renamed}; }},
+    {"ALevelOfAnotherNameOnReceipts", InvariantKind::receipt_lines,
+     [](TaxiOptions& options) { options.meter.tariff = {.id = 1, .levels = renamed}; }},
+    {"ALevelThatTheRoofDoesNotShow", InvariantKind::roof_sign, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().cuts_level = true; }},
+    {"ATaxiLightThatIsDark", InvariantKind::roof_sign, [](TaxiOptions&) {},
+     [](TaxiNetwork& network) { network.sabotage().cuts_taxi_light = true; }},
     {"ASlipOfLessThanWasPaid", InvariantKind::shift_slip, [](TaxiOptions&) {}, [](TaxiNetwork&) {},
      [] {
        return once_while(Activity::signing_off, [](TaxiNetwork& network) {

@@ -111,6 +111,20 @@ TEST(Tampering, AMeterThatWasOpenedTakesNobodyAndIsExcused) {
   EXPECT_EQ(broken_names(network), "");
 }
 
+/// 48 s are too little for the meter's records, and enough for the minutes on receipts.
+TEST(Tampering, AClockThatHasDriftedALittleIsFoundByTheNextReceipts) {
+  TaxiOptions options = tampered(FaultKind::clock_drift);
+  options.length = 3h;
+  options.faults.faults[0].duration = 8min;
+  TaxiNetwork network(options);
+  network.run_until(Time(62min));
+  const std::vector<Invariant> verdicts = network.invariants();
+  const Invariant* const tampering = find(verdicts, InvariantKind::tampering);
+  ASSERT_NE(tampering, nullptr);
+  EXPECT_TRUE(tampering->held);
+  EXPECT_EQ(tampering->judged, 1u);
+}
+
 TEST(Tampering, WithoutItThereIsNoVerdict) {
   TaxiOptions honest = tampered(FaultKind::stranger_writes);
   honest.faults.faults.clear();

@@ -35,6 +35,16 @@ class TripBook {
   void begin(Time now, double metres, Duration key_time);
   /// Call it in each step while passengers are driven.
   void step(Time now, double metres, const TripExcuse& excuse) { fares_.step(now, metres, excuse); }
+  /// Takes the fare on the display while driven. That of a trip that the meter has lost is another
+  /// one.
+  void look(Time now, double fare) {
+    if (!has_lost_trip_) fares_.look(now, fare);
+  }
+  /// Names of the tariff's levels that may apply in the present trip; empty: they are unknown.
+  std::optional<std::array<std::array<char, 2>, 2>> levels_about(Time now) const {
+    if (!fares_.has_trip() || !fares_.trip().has_clock) return std::nullopt;
+    return fares_.levels_about(now);
+  }
   /// Ends the drive: the driver has pressed the key, and the meter has obeyed or never will.
   void stop(Time now, double metres) { fares_.step(now, metres, last_excuse_); }
   /// Marks the time of the meter's clock as unknown here.

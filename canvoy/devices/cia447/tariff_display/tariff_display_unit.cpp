@@ -138,15 +138,28 @@ void TariffDisplayUnit::lamp_failed(unsigned lamp, LampFailure failure) {
 }
 
 void TariffDisplayUnit::show_level(std::array<char, 2> characters) {
-  level_ = {static_cast<std::uint8_t>(characters[0]), static_cast<std::uint8_t>(characters[1])};
-  tell();
+  set_level({static_cast<std::uint8_t>(characters[0]), static_cast<std::uint8_t>(characters[1])});
 }
 
 void TariffDisplayUnit::level_came() {
   const Values values(network_.node().dictionary());
-  level_ = {values[taxi_trip_tariff_level_character_1].raw(),
-            values[taxi_trip_tariff_level_character_2].raw()};
+  set_level({values[taxi_trip_tariff_level_character_1].raw(),
+             values[taxi_trip_tariff_level_character_2].raw()});
+}
+
+void TariffDisplayUnit::set_level(const std::array<std::uint8_t, 2>& level) {
+  const std::array<std::uint8_t, 2> before = shown_level();
+  level_ = level;
+  if (shown_level() != before) hardware_.show_level(shown_level());
   tell();
+}
+
+/// A character for which there is no room is not available.
+std::array<std::uint8_t, 2> TariffDisplayUnit::shown_level() const {
+  std::array<std::uint8_t, 2> shown = {0xFF, 0xFF};
+  const std::size_t room = std::min<std::size_t>(settings_.level_characters, shown.size());
+  for (std::size_t i = 0; i < room; ++i) shown.at(i) = reported_character(level_.at(i));
+  return shown;
 }
 
 void TariffDisplayUnit::tell() {
@@ -170,12 +183,9 @@ void TariffDisplayUnit::tell() {
     write_field(dictionary, failure_places[number - 1], static_cast<std::uint32_t>(failure));
     write_field(dictionary, input_places[number - 1], static_cast<std::uint32_t>(input));
   }
-  const bool has_first = settings_.level_characters >= 1;
-  const bool has_second = settings_.level_characters >= 2;
-  display[tariff_display_tariff_level_character_1].set_raw(has_first ? reported_character(level_[0])
-                                                                     : std::uint8_t{0xFF});
-  display[tariff_display_tariff_level_character_2].set_raw(
-      has_second ? reported_character(level_[1]) : std::uint8_t{0xFF});
+  const std::array<std::uint8_t, 2> level = shown_level();
+  display[tariff_display_tariff_level_character_1].set_raw(level[0]);
+  display[tariff_display_tariff_level_character_2].set_raw(level[1]);
 }
 
 }  // namespace canvoy::cia447

@@ -25,6 +25,8 @@ inline constexpr unsigned tariff_lamps_max = 16;  ///< of one display
 struct TariffDisplayHardware {
   /// Lamp 1 (taxi light), 2 (vacant light), 3 (emergency light) to 16: off, on, dimmed or blinking.
   Callback<void(unsigned lamp, Lamp wanted)> drive = {};
+  /// Called when the two characters of the tariff level change, with those of 610Ah.
+  Callback<void(const std::array<std::uint8_t, 2>&)> show_level = {};
 };
 /// Sets it to the member functions of a plain class that have these names: see PlainHardware.
 template <class Plain>
@@ -78,6 +80,8 @@ class TariffDisplayUnit {
   void level_came();
   Lamp wanted_of(const OneLamp& lamp) const;
   void follow();
+  std::array<std::uint8_t, 2> shown_level() const;
+  void set_level(const std::array<std::uint8_t, 2>& level);
   void tell();
 
   CarNetwork& network_;

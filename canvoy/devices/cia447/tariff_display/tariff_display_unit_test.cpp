@@ -44,12 +44,17 @@ class DisplayBench {
 
   TariffDisplaySettings settings;
   std::vector<std::pair<unsigned, Lamp>> driven;
+  std::vector<std::array<std::uint8_t, 2>> levels;
   TariffDisplayUnit* unit = nullptr;
   std::optional<CarBench> bench;
 
  private:
   TariffDisplaySettings offered() { return settings; }
-  TariffDisplayHardware hardware() { return {.drive = callback<&DisplayBench::drive>(*this)}; }
+  TariffDisplayHardware hardware() {
+    return {.drive = callback<&DisplayBench::drive>(*this),
+            .show_level = callback<&DisplayBench::show_level>(*this)};
+  }
+  void show_level(const std::array<std::uint8_t, 2>& level) { levels.push_back(level); }
   void drive(unsigned lamp, Lamp wanted) { driven.emplace_back(lamp, wanted); }
 };
 
@@ -176,6 +181,15 @@ TEST(TariffDisplay, ShowsTheLevelThatATaximeterWrites) {
   EXPECT_EQ(display.get("0A"), "FF FF 00 00") << "no characters (errata Z12)";
   display.unit->show_level({'T', 0});
   EXPECT_EQ(display.get("0A"), "54 00 00 00");
+}
+
+TEST(TariffDisplay, DrivesItsCharactersWhenTheyChange) {
+  DisplayBench display({.level_characters = 1});
+  for (const char* level : {"31 00", "31 00", "31 41", "32 41"}) {
+    display.bench->ask("2B D3 60 00 " + std::string(level) + " 00 00");
+  }
+  const std::vector<std::array<std::uint8_t, 2>> shown = {{0x31, 0xFF}, {0x32, 0xFF}};
+  EXPECT_EQ(display.levels, shown);
 }
 
 TEST(TariffDisplay, ShowsAsManyCharactersAsItHas) {

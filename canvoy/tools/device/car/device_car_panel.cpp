@@ -241,7 +241,15 @@ void CarPanel::show_text(const cia447::DisplayContent& content) {
 }
 
 cia447::TariffDisplayHardware CarPanel::sign() {
-  return {.drive = callback<&CarPanel::drive_lamp>(*this)};
+  return {.drive = callback<&CarPanel::drive_lamp>(*this),
+          .show_level = callback<&CarPanel::show_level>(*this)};
+}
+void CarPanel::show_level(const std::array<std::uint8_t, 2>& level) {
+  std::string text;
+  for (const std::uint8_t one : level) {
+    if (one > ' ' && one < 0x7F) text += static_cast<char>(one);
+  }
+  output_.say("tariff-display", text.empty() ? "no level" : "level " + text);
 }
 void CarPanel::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
   output_.say("tariff-display", fmt::format("lamp {} {}", lamp, lamp_words(wanted)));

@@ -86,6 +86,7 @@ class CarPanel {
   void show_text(const cia447::DisplayContent& content);
   cia447::TariffDisplayHardware sign();
   void drive_lamp(unsigned lamp, cia447::Lamp wanted);
+  void show_level(const std::array<std::uint8_t, 2>& level);
   cia447::TaxiAlarmHardware alarm();
   void alarm_changed(bool silent, bool full);
   void has_master(cia447::CarMaster& master, Node& /*node*/);
