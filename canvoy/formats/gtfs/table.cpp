@@ -53,7 +53,7 @@ std::size_t blank_length(std::string_view text) {
   return found == std::end(blanks) ? 0 : found->size();
 }
 
-/// Number of bytes of a leading character that nobody can read: one that controls, or that has no
+/// Number of bytes of a leading character without a shape: one that controls, or that has no
 /// width or only a direction; 0: none.
 std::size_t hidden_length(std::string_view text) {
   constexpr unsigned char first_visible = 0x20;

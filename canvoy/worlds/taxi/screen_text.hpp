@@ -29,7 +29,7 @@ std::string place_text(const ShownPlace& shown);
 std::optional<double> read_fare(std::string_view text);
 /// Amount in 0.001 of the currency unit, and the code behind it.
 struct ShownAmount {
-  double amount = 0;
+  double amount = 0;            ///< in 0.001 of the currency unit
   std::string_view currency{};  ///< to the end of the line
 };
 /// Amount in the line with this name; empty: there is none.
