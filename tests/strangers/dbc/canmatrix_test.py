@@ -1,8 +1,8 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """canmatrix reads the DBC files that `canvoy export` writes, and decodes logs by them: the same values as
 `canvoy decode --json`, one by one.
 
-    CANVOY=build/canvoy /usr/bin/python3 tests/strangers/dbc/canmatrix_test.py
+    CANVOY=build/canvoy tests/strangers/.venv/bin/python tests/strangers/dbc/canmatrix_test.py
 
 Without canmatrix, the test is skipped (77).
 """
