@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Where the scripts look for what a preset has built."""
+"""Where the scripts look for what a preset has built, and which of its tests they leave out."""
 
 import json
 import pathlib
@@ -42,6 +42,14 @@ class Presets(unittest.TestCase):
         self.assertEqual(presets.build_folder("release"), script.ROOT / "build")
         self.assertEqual(presets.build_folder("asan"), script.ROOT / "build/asan")
         self.assertEqual(presets.build_folder("bench"), script.ROOT / "build/bench")
+
+    def test_what_ctest_leaves_out_of_a_program_is_left_out(self):
+        # The timed command line of canvoy_add_test, a program with no filter, a test that is not built (no command).
+        tests = [{"command": ["/usr/bin/time", "-q", "/b/canvoy_small_machine_test", "--gtest_brief=1", "--gtest_filter=-A.*:B.Is"]},
+                 {"command": ["/b/canvoy_can_test", "--gtest_brief=1"]},
+                 {"command": ["/b/canvoy_only_test", "--gtest_filter=C.*"]},
+                 {}]  # fmt: skip
+        self.assertEqual(presets.filters_of({"tests": tests}), {"canvoy_small_machine_test": "-A.*:B.Is"})
 
 
 if __name__ == "__main__":
