@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/canopen/lss/lss_fastscan.hpp"
 #include "canvoy/canopen/testing/lss_node.hpp"
 
 namespace canvoy::lss_master_test {
@@ -139,6 +140,31 @@ TEST(LssMasterIdentify, AsksForNodesWithoutNodeId) {
   sut.requests({"7E5#4C"});
   sut.receive("7E4#50");
   EXPECT_TRUE(sut.reply().ok());
+}
+
+/// Counts the ends of a search.
+struct SearchEnd {
+  void take(const LssFastscan::Result& /*result*/) { ++calls; }
+  int calls = 0;
+};
+
+TEST(LssMasterFastscan, OfASearchThatIsStoppedSendsNothingMore) {
+  MasterNode sut;
+  SearchEnd end;
+  LssFastscan search(sut.node, sut.master);
+  search.cancel();
+  ASSERT_TRUE(search.find({}, LssFastscan::Done::to<&SearchEnd::take>(end)));
+  sut.requests({"7E5#51 00 00 00 00 80"});
+  EXPECT_FALSE(search.find({}, LssFastscan::Done::to<&SearchEnd::take>(end))) << "one at a time";
+  search.cancel();
+  EXPECT_FALSE(search.running());
+  EXPECT_TRUE(sut.master.idle());
+  sut.receive("7E4#4F");
+  sut.run_for(10s);
+  sut.requests({});
+  EXPECT_EQ(end.calls, 0);
+  EXPECT_TRUE(search.find({}, LssFastscan::Done::to<&SearchEnd::take>(end)));
+  search.cancel();
 }
 
 TEST(LssMasterFastscan, SendsNumberBitSubAndNext) {

@@ -82,6 +82,16 @@ class ProgramDownloadTest : public testing::Test {
   Outcome outcome;
 };
 
+TEST_F(ProgramDownloadTest, CountsTheBytesThatItHasSent) {
+  EXPECT_EQ(sut.transferred(), 0U);
+  begin(image.plan(5));
+  EXPECT_EQ(sut.transferred(), 0U) << "a stop is no program";
+  up_to_download();
+  send_nine_bytes();
+  EXPECT_EQ(sut.step(), ProgramStep::wait_programmed);
+  EXPECT_EQ(sut.transferred(), 9U);
+}
+
 TEST_F(ProgramDownloadTest, StopsClearsDownloadsLooksAndStarts) {
   begin(image.plan(5));
   up_to_download();

@@ -182,6 +182,63 @@ TEST_F(ProgramServerTest, WhatTheDeviceRefusesIsRefused) {
   sut.ask("2F 51 1F 01 00 00 00 00", "80 51 1F 01 21 00 00 08");
 }
 
+TEST_F(ProgramServerTest, AProgramThatTheDeviceDoesNotStartDoesNotRun) {
+  ProgramNode sut(memory);
+  sut.command(1, 3);
+  EXPECT_NE(sut.download(a_program(50)), 0x80U);
+  sut.control_answer = AbortCode::local_control;
+  sut.ask("2F 51 1F 01 01 00 00 00", "80 51 1F 01 21 00 00 08");
+  sut.ask("40 51 1F 01 00 00 00 00", "4F 51 1F 01 00 00 00 00");
+  sut.control_answer = AbortCode::none;
+  sut.command(1, 1);
+  sut.control_answer = AbortCode::local_control;
+  sut.ask("2F 51 1F 01 00 00 00 00", "80 51 1F 01 21 00 00 08");
+  sut.ask("40 51 1F 01 00 00 00 00", "4F 51 1F 01 01 00 00 00");
+}
+
+/// A node with the objects of two programs, and the memory of one.
+class OneSlotNode : public WireNode {
+ public:
+  explicit OneSlotNode(SimulatedFlash& memory)
+      : WireNode(program_layout.tables(), 5), programs_(node, memory.flash, slots_) {
+    boot();
+  }
+
+ private:
+  std::array<ProgramSlot, 1> slots_{{{.address = 0, .size = 256}}};
+  ProgramServer programs_;
+  std::array<std::uint8_t, 16> buffer_{};
+  SdoServer server_{node, 0, buffer_};
+};
+
+TEST_F(ProgramServerTest, AnEntryWithoutMemoryOfAProgramIsRefused) {
+  OneSlotNode sut(memory);
+  sut.receive("605#2F 51 1F 02 03 00 00 00");
+  sut.expect({"585#80 51 1F 02 00 00 01 06"});
+  sut.receive("605#21 50 1F 02 09 00 00 00");
+  sut.expect({"585#80 50 1F 02 00 00 01 06"});
+  EXPECT_EQ(memory.erasures + memory.programmings, 0U);
+}
+
+TEST_F(ProgramServerTest, AFlashThatCannotBeReadIsNotTakenForABlankOne) {
+  SimulatedFlash blank(program_geometry);
+  blank.fail_read = true;
+  ProgramNode sut(blank);
+  blank.fail_read = false;
+  EXPECT_EQ(sut.download(a_program(50)), 0x80U);
+  EXPECT_EQ(sut.get(0x1F57), not_cleared);
+}
+
+TEST_F(ProgramServerTest, AFlashThatDoesNotKeepAProgramIsAHardwareError) {
+  ProgramNode sut(memory);
+  sut.command(1, 3);
+  memory.fail_sync = 1;
+  EXPECT_EQ(sut.download(a_program(50)), 0x80U);
+  EXPECT_EQ(sut.last_answer, "585#80 50 1F 01 00 00 06 06");
+  EXPECT_EQ(sut.get(0x1F57), write_error);
+  EXPECT_FALSE(is_valid_after_power_on());
+}
+
 TEST_F(ProgramServerTest, EveryOtherCommandIsOutOfRange) {
   ProgramNode sut(memory);
   for (unsigned command = 4; command < 256; ++command) {
