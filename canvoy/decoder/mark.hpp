@@ -18,7 +18,7 @@ enum class Mark : std::uint8_t {
   wrong_length,     ///< more or fewer bytes than the mapping, the type or the sender gives
   wrong_access,     ///< written or mapped, though the profile does not allow it
   wrong_toggle,     ///< the toggle bit of node guarding or of a segment has not alternated
-  unknown_command,  ///< of SDO: an undefined command specifier
+  unknown_command,  ///< of SDO or NMT: undefined; of NMT: no node-ID
   out_of_place,     ///< of SDO: no message that was heard calls for this one
   wrong_checksum,   ///< of an SDO block transfer
 };

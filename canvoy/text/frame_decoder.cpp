@@ -67,13 +67,6 @@ namespace {
 
 using decoder::Mark;
 
-constexpr unsigned sync_counter_max = 240;
-
-bool is_told(NmtState state) {
-  return state == NmtState::stopped || state == NmtState::operational ||
-         state == NmtState::pre_operational;
-}
-
 std::string_view reason_text(decoder::KnownBy by) {
   switch (by) {
     case decoder::KnownBy::product:
@@ -172,6 +165,7 @@ std::string_view FrameDecoder::transfer_text() {
 void FrameDecoder::decode_other(const Frame& frame, const Decoded& decoded) {
   if (network().has_car() && decode_of_car(frame)) return;
   words_ = service_of(frame.id);
+  words_.marks = services_.take(frame);
   if (frame.id > can_id::error_control && words_.node != 0) return decode_error_control(frame);
   if (frame.is_remote()) return say("remote request");
   if (frame.id == can_id::nmt) return decode_nmt(frame);
@@ -218,24 +212,18 @@ void FrameDecoder::decode_nmt(const Frame& frame) {
 void FrameDecoder::decode_sync(const Frame& frame) {
   if (frame.length == 0) return;
   if (frame.length != 1) return say_malformed(frame);
-  const unsigned counter = frame.data[0];
-  if (counter == 0 || counter > sync_counter_max) words_.marks.add(Mark::out_of_range);
-  say(fmt::format("counter {}", counter));
+  say(fmt::format("counter {}", frame.data[0]));
 }
 
 void FrameDecoder::decode_time(const Frame& frame) {
   const auto time =
       canvoy::decode_time<TimeOfDay>(std::span(frame.data).first<time_of_day_bytes>());
   if (frame.length != time_of_day_bytes) return say_malformed(frame);
-  if (time.valid()) return say(time_text(time));
-  words_.marks.add(Mark::out_of_range);
-  say(malformed_text(frame));
+  say(time.valid() ? time_text(time) : malformed_text(frame));
 }
 
 void FrameDecoder::decode_emergency(const Frame& frame) {
   if (frame.length != Frame::length_max) return say_malformed(frame);
-  constexpr unsigned reserved_bit = 0x40;
-  if ((frame.data[2] & reserved_bit) != 0) words_.marks.add(Mark::reserved);
   say(emergency_message_text(frame, network().profile(words_.node)));
 }
 
@@ -248,37 +236,21 @@ void FrameDecoder::decode_lss(const Frame& frame, const Decoded& decoded) {
   if (!device.empty()) say(fmt::format("{}: {}", words_.text, device));
 }
 
-/// An answer to a remote frame is node guarding, any other message a heartbeat.
 void FrameDecoder::decode_error_control(const Frame& frame) {
-  const NodeId node = words_.node;
-  const bool was_asked = asked_.test(node);
-  asked_.set(node, frame.is_remote());
   if (frame.is_remote()) {
     words_.service = "guarding request";
     return;
   }
   if (frame.length != 1) return say_malformed(frame);
   if (frame.data[0] == 0) {
-    toggles_.at(node) = false;
     words_.service = "boot-up";
-    return say(identity_text(network().identity(node)));
+    return say(identity_text(network().identity(words_.node)));
   }
-  words_.service = was_asked ? "guarding answer" : "heartbeat";
-  const auto state = static_cast<NmtState>(frame.data[0] & 0x7F);
-  words_.text = nmt_state_text(state);
-  if (!is_told(state)) words_.marks.add(Mark::reserved);
-  if (was_asked) decode_toggle(frame.data[0]);
-}
-
-/// The bit alternates from answer to answer, and is 0 in the first one after boot-up (CiA 301,
-/// 7.2.8.3.2.1).
-void FrameDecoder::decode_toggle(unsigned answer) {
   constexpr unsigned toggle_place = 7;
-  const bool toggle = answer >> toggle_place != 0;
-  std::optional<bool>& expected = toggles_.at(words_.node);
-  if (expected && *expected != toggle) words_.marks.add(Mark::wrong_toggle);
-  expected = !toggle;
-  say(fmt::format("{}, toggle bit {:d}", words_.text, toggle ? 1 : 0));
+  const bool is_answer = services_.is_answer();
+  words_.service = is_answer ? "guarding answer" : "heartbeat";
+  words_.text = nmt_state_text(static_cast<NmtState>(frame.data[0] & 0x7F));
+  if (is_answer) say(fmt::format("{}, toggle bit {}", words_.text, frame.data[0] >> toggle_place));
 }
 
 void FrameDecoder::add_news(const decoder::NodeNews& news) {

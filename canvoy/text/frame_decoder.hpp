@@ -25,6 +25,7 @@
 #include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/text/sdo_words.hpp"
+#include "canvoy/text/service_marks.hpp"
 #include "canvoy/text/value_words.hpp"
 
 namespace canvoy::text {
@@ -126,7 +127,6 @@ class FrameDecoder {
   void decode_emergency(const Frame& frame);
   void decode_lss(const Frame& frame, const Decoded& decoded);
   void decode_error_control(const Frame& frame);
-  void decode_toggle(unsigned answer);
   void say_transfer(const decoder::SdoTransfer& transfer);
   void add_news(const decoder::NodeNews& news);
   void say(std::string text);
@@ -135,9 +135,7 @@ class FrameDecoder {
   decoder::Decoder objects_;
   std::shared_ptr<Said> said_;
   PdoWords pdos_{said_->pdo_values};
-  std::bitset<node_id_max + 1> asked_;  ///< nodes that were the last to get a guarding request
-  /// Expected toggle bit of the next guarding answer of each node.
-  std::array<std::optional<bool>, node_id_max + 1> toggles_;
+  ServiceMarks services_;
   FrameWords words_;
   std::string text_;
   const decoder::SdoTransfer* transfer_ = nullptr;  ///< completed by the last frame

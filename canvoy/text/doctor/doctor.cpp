@@ -125,7 +125,10 @@ void Doctor::hear_frame(Time at, const Frame& frame) {
       frame == last_ && last_at_ != never && at - last_at_ <= sent_again_within;
   last_ = frame;
   last_at_ = at;
-  if (!is_sent_again) bus_.values.hear(at, decoded);
+  if (!is_sent_again) {
+    bus_.values.hear(at, decoded);
+    bus_.values.hear_service(at, node, services_.take(frame));
+  }
   if (decoded.service == decoder::Decoded::Service::sdo_request ||
       decoded.service == decoder::Decoded::Service::sdo_response) {
     bus_.sdos.hear(at, frame, decoded, is_up(decoded.node));
@@ -137,8 +140,11 @@ void Doctor::hear_frame(Time at, const Frame& frame) {
   constexpr std::uint32_t pdo_last = 0x6DF;
   if (frame.id >= pdo_first && frame.id <= pdo_last) {
     bus_.pdos.hear(at, frame, decoded, node, bus_.known);
+    if (node != 0 && !frame.is_remote()) bus_.quiet.send(at, node);
   } else if (frame.id == can_id::nmt) {
     hear_nmt(at, frame);
+  } else if (frame.id == can_id::time && frame.is_plain()) {
+    bus_.clocks.hear(at, std::nullopt);
   } else if ((frame.id & function_mask) == can_id::emergency) {
     if (frame.is_plain() && frame.length == Frame::length_max) {
       bus_.nodes.emergency(at, static_cast<NodeId>(frame.id & node_id_max), frame);
@@ -172,6 +178,7 @@ void Doctor::hear_nmt(Time at, const Frame& frame) {
   const bool is_reset =
       command == NmtCommand::reset_node || command == NmtCommand::reset_communication;
   if (is_reset) bus_.nodes.reset(at, node);
+  bus_.quiet.command(node);
   for (NodeId id = node_id_min; id <= node_id_max; ++id) {
     if (node == 0 || node == id) bus_.heartbeats.of(id).commanded(is_reset);
   }
@@ -179,17 +186,13 @@ void Doctor::hear_nmt(Time at, const Frame& frame) {
 
 void Doctor::hear_error_control(Time at, const Frame& frame) {
   const auto node = static_cast<NodeId>(frame.id & node_id_max);
-  if (frame.is_remote()) {
-    guarded_.at(node) = at;
-    return;
-  }
+  if (frame.is_remote()) return bus_.guarding.at(node).ask(at);
   if (frame.length != 1) return;
-  // An answer to node guarding is no heartbeat.
-  constexpr Duration answered_within = 100ms;
-  const Time asked = guarded_.at(node);
-  if (asked != Time{} && at - asked <= answered_within) return;
   const auto state = static_cast<NmtState>(frame.data[0] & ~guarding_toggle_bit);
   if (frame.data[0] == 0) return hear_boot_up(at, node);
+  bus_.quiet.tell(node, state);
+  // An answer to node guarding is no heartbeat.
+  if (services_.is_answer()) return bus_.guarding.at(node).answer();
   bus_.heartbeats.of(node).hear(at, state, bus_.known.producer_time(node), bus_.traffic.awake());
 }
 
@@ -202,6 +205,7 @@ void Doctor::hear_boot_up(Time at, NodeId node) {
   const bool was_heard = beats.is_heard() || beats.has_booted();
   if (was_heard && !is_expected) bus_.nodes.boot_up(at, node);
   beats.boot_up(at, bus_.traffic.awake(), is_expected);
+  bus_.quiet.tell(node, NmtState::pre_operational);
   bus_.sdos.restarted(node);
 }
 

@@ -15,6 +15,7 @@
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/text/doctor/finding.hpp"
 #include "canvoy/text/doctor/observed.hpp"
+#include "canvoy/text/service_marks.hpp"
 
 namespace canvoy::text {
 
@@ -58,9 +59,9 @@ class Doctor {
   decoder::Decoder decoder_;
   Observed bus_;
   bool has_begun_ = false;
-  Frame last_;                                   ///< last frame
-  Time last_at_ = never;                         ///< time of the last frame; never: none
-  std::array<Time, node_id_max + 1> guarded_{};  ///< last remote frame for the state of each node
+  Frame last_;            ///< last frame
+  Time last_at_ = never;  ///< time of the last frame; never: none
+  ServiceMarks services_;
 };
 
 }  // namespace canvoy::text

@@ -60,6 +60,8 @@ unsigned listen(Network& network, Duration time, unsigned moments, std::string_v
       const Time end = begin + lengths[(i + seed) % std::size(lengths)];
       audiences[bus].all.push_back(std::make_unique<Listening>(bus, bit_rate, begin, end));
     }
+    audiences[bus].all.push_back(
+        std::make_unique<Listening>(bus, bit_rate, Time{}, Time(time)));  // to the whole run
     network.world().bus(bus).observe({.context = &audiences[bus], .on_frame = &Audience::hear});
   }
   network.run_until(Time(time));

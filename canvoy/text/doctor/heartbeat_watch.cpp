@@ -40,6 +40,27 @@ void RhythmWatch::hear(Time at, std::optional<Duration> expected) {
   pair_ = pair;
 }
 
+bool CrossingWatch::is_crossed(Time at, Duration period) const {
+  constexpr Duration least = 10ms;
+  bool has_between = false;
+  for (std::size_t back = 1; back <= std::min(count_, times_max); ++back) {
+    const Duration ago = at - times_[(count_ - back) % times_max];
+    if (is_near(ago, period)) return has_between;
+    if (ago > period) return false;
+    has_between = has_between || (ago > least && period - ago > least);
+  }
+  return false;
+}
+
+void CrossingWatch::hear(Time at, std::optional<Duration> period) {
+  constexpr std::size_t crossed_least = 8;
+  const bool is_known = period && *period > Duration::zero();
+  crossed_[count_ % times_max] = is_known && is_crossed(at, *period);
+  times_[count_ % times_max] = at;
+  ++count_;
+  if (crossed_.count() >= crossed_least) found_ = at;
+}
+
 void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expected,
                           Duration awake) {
   is_heard_ = true;
@@ -53,6 +74,7 @@ void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expec
     add_gap({at, interval, awake - awake_});
   }
   rhythm_.hear(at, expected);
+  crossings_.hear(at, expected);
   take_state(at, state);
   is_running_ = true;
   latest_ = at;
@@ -87,6 +109,7 @@ void NodeHeartbeats::commanded(bool is_reset) {
   if (!is_reset) return;
   is_running_ = false;
   rhythm_.restart();
+  crossings_.restart();
 }
 
 void NodeHeartbeats::forget() {
@@ -95,6 +118,7 @@ void NodeHeartbeats::forget() {
   next_ = 0;
   gaps_.clear();
   rhythm_.restart();
+  crossings_.restart();
 }
 
 void NodeHeartbeats::end(Time at, Duration awake) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -25,6 +26,30 @@ struct TwoRhythms {
   Duration apart{};   ///< time from one sender to the other, the shorter way
   Time since{};       ///< time of the detection
   Time last{};        ///< time of the last confirmation
+};
+
+/// Detects several devices with one node-ID by their heartbeats, whatever their periods are:
+/// between two heartbeats that are the period of the node apart come others.
+class CrossingWatch {
+ public:
+  /// Takes a heartbeat; nothing is detected while the period is unknown.
+  void hear(Time at, std::optional<Duration> period);
+  /// Starts again: the next heartbeat is not compared with earlier ones.
+  void restart() {
+    count_ = 0;
+    crossed_.reset();
+  }
+  /// Time of the last detection; nothing: none.
+  const std::optional<Time>& found() const { return found_; }
+
+ private:
+  static constexpr std::size_t times_max = 32;
+  bool is_crossed(Time at, Duration period) const;
+
+  std::array<Time, times_max> times_{};  ///< the last heartbeats, as a ring buffer
+  std::size_t count_ = 0;
+  std::bitset<times_max> crossed_;  ///< of them, those that others came before within a period
+  std::optional<Time> found_;
 };
 
 /// Detects two rhythms in one sequence.
@@ -87,6 +112,8 @@ class NodeHeartbeats {
   Duration jitter() const;
   /// Two rhythms, as of two devices with this node-ID; nothing: one rhythm.
   const std::optional<TwoRhythms>& two_rhythms() const { return rhythm_.found(); }
+  /// The time when other heartbeats last came between those of its period; nothing: never.
+  const std::optional<Time>& crossed() const { return crossings_.found(); }
   /// Number of alternations between two states without an NMT command.
   unsigned state_turns() const { return most_turns_; }
   /// The two alternating states.
@@ -113,6 +140,7 @@ class NodeHeartbeats {
   std::size_t next_ = 0;
   std::vector<HeartbeatGap> gaps_;
   RhythmWatch rhythm_;
+  CrossingWatch crossings_;
   NmtState state_{};
   NmtState before_{};
   unsigned states_ = 0;

@@ -47,6 +47,9 @@ std::string twice_text(const Observed& bus, NodeId node) {
     text += fmt::format(
         " Its heartbeats come in two rhythms: each every {}, the one {} behind the other.",
         short_time(beats.two_rhythms()->period), short_time(beats.two_rhythms()->apart));
+  } else if (beats.crossed()) {
+    text += fmt::format(" Between heartbeats that are {} apart, its period, come others.",
+                        short_time(period_of(bus, node)));
   }
   if (beats.state_turns() >= turns_least) {
     text += fmt::format(" It says in turns that it is {} and {}, and nobody commands it.",
@@ -74,7 +77,8 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
     const auto& rhythms = beats.two_rhythms();
     const Tally& doubles = bus.sdos.of(node).doubles;
     const Time answered_first = doubles.count != 0 ? doubles.first : bus.begin;
-    const Time last = std::max({rhythms ? rhythms->last : Time{}, beats.turned_at(), doubles.last});
+    const Time last = std::max({rhythms ? rhythms->last : Time{}, beats.turned_at(),
+                                beats.crossed().value_or(Time{}), doubles.last});
     findings.push_back({.kind = FindingKind::node_id_twice,
                         .node = node,
                         .count = 1,
@@ -84,10 +88,46 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
   });
 }
 
+namespace {
+
+/// A node that does not answer guarding requests.
+void judge_guarding(const Observed& bus, Findings& findings, NodeId node) {
+  const Guarding& guarding = bus.guarding.at(node);
+  if (guarding.most_in_row < Guarding::lost_from) return;
+  findings.push_back(
+      {.kind = FindingKind::heartbeat_missing,
+       .node = node,
+       .count = guarding.missed.count,
+       .first = guarding.missed.first,
+       .last = guarding.missed.last,
+       .what = fmt::format("{} has left {} guarding requests without an answer, {} in a row.",
+                           node_text(node), guarding.missed.count, guarding.most_in_row)});
+}
+
+/// A node that another one waits for (1016h), and of which no frame was heard.
+void judge_awaited(const Observed& bus, Findings& findings, NodeId node) {
+  const auto consumer = bus.known.consumer_of(node);
+  const bool is_heard = bus.traffic.is_heard(node) || bus.heartbeats.of(node).has_booted();
+  if (!consumer || is_heard || bus.traffic.awake() <= 2 * consumer->time) return;
+  findings.push_back(
+      {.kind = FindingKind::heartbeat_missing,
+       .node = node,
+       .count = 1,
+       .first = bus.begin,
+       .last = bus.end,
+       .what = fmt::format("Node {} waits for heartbeats of {} within {} (1016h), "
+                           "and nothing of it was heard.",
+                           consumer->by, node_text(node), short_time(consumer->time))});
+}
+
+}  // namespace
+
 void judge_heartbeat_missing(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const NodeHeartbeats& beats = bus.heartbeats.of(node);
     const Limit limit = limit_of(bus, node);
+    judge_guarding(bus, findings, node);
+    if (!beats.is_heard()) judge_awaited(bus, findings, node);
     if (!beats.is_heard() || limit.time <= Duration::zero()) return;
     if (period_of(bus, node) <= Duration::zero()) return;
     Finding finding{.kind = FindingKind::heartbeat_missing, .node = node};

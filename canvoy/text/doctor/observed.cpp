@@ -158,6 +158,43 @@ void ValueWatch::hear(Time at, const decoder::Decoded& decoded) {
   }
 }
 
+void ValueWatch::hear_service(Time at, NodeId node, decoder::Marks marks) {
+  for (const decoder::Mark mark : decoder::all_marks) {
+    if (marks.has(mark)) messages_[{node, mark}].add(at);
+  }
+}
+
+void Guarding::ask(Time at) {
+  if (is_waiting) {
+    missed.add(at);
+    most_in_row = std::max(most_in_row, ++in_a_row);
+  }
+  is_waiting = true;
+}
+
+void QuietWatch::tell(NodeId node, NmtState state) {
+  Node& each = nodes_.at(node);
+  const bool is_same = std::exchange(each.state, state) == state;
+  if (is_same && each.since.count != 0) {
+    if (each.sent.count == 0) each.sent.first = each.since.first;
+    each.sent.count += each.since.count;
+    each.sent.last = each.since.last;
+  }
+  each.since = {};
+}
+
+void QuietWatch::command(NodeId node) {
+  for (NodeId each = node_id_min; each <= node_id_max; ++each) {
+    if (node == 0 || node == each) tell(each, NmtState::operational);
+  }
+}
+
+void QuietWatch::send(Time at, NodeId node) {
+  Node& each = nodes_.at(node);
+  const bool is_quiet = each.state == NmtState::stopped || each.state == NmtState::pre_operational;
+  if (is_quiet) each.since.add(at);
+}
+
 void ValueWatch::hear_value(Time at, NodeId node, const decoder::DecodedValue& value) {
   using decoder::Mark;
   for (const Mark mark : {Mark::reserved, Mark::out_of_range}) {

@@ -164,6 +164,9 @@ class ValueWatch {
  public:
   /// Takes the decoded content of one frame; ignores a PDO of a wrong length.
   void hear(Time at, const decoder::Decoded& decoded);
+  /// Takes the violations of a frame of NMT, SYNC, TIME, emergencies or error control of `node`;
+  /// 0: unknown sender.
+  void hear_service(Time at, NodeId node, decoder::Marks marks);
 
   /// By node, index and sub-index.
   using ByEntry = std::map<std::tuple<NodeId, std::uint16_t, std::uint8_t>, HeardValue>;
@@ -269,6 +272,48 @@ class SyncWatch {
   std::uint8_t counter_ = 0;  ///< of the last SYNC; 0: none
 };
 
+/// Node guarding of one node (CiA 301, 7.2.8.3.2.1): requests, and those without an answer.
+struct Guarding {
+  /// With this many requests in a row without an answer the node counts as lost.
+  static constexpr unsigned lost_from = 3;
+
+  /// Takes a request.
+  void ask(Time at);
+  /// Takes an answer.
+  void answer() {
+    in_a_row = 0;
+    is_waiting = false;
+  }
+
+  Tally missed = {};         ///< requests without an answer
+  unsigned in_a_row = 0;     ///< the last of them
+  unsigned most_in_row = 0;  ///< the most of them
+  bool is_waiting = false;   ///< the last request is without an answer so far
+};
+
+/// PDOs of a node that says that it is stopped or pre-operational, in which it sends none (CiA 301,
+/// 7.3.2.2).
+class QuietWatch {
+ public:
+  /// Takes a heartbeat or a guarding answer of a node.
+  void tell(NodeId node, NmtState state);
+  /// Takes an NMT command to a node; 0: to all. Its state is unknown until it tells it.
+  void command(NodeId node);
+  /// Takes a PDO of a node.
+  void send(Time at, NodeId node);
+
+  /// PDOs between two messages of the node that tell the same state, in which it sends none.
+  const Tally& of(NodeId node) const { return nodes_.at(node).sent; }
+
+ private:
+  struct Node {
+    NmtState state = NmtState::operational;
+    Tally sent = {};
+    Tally since = {};  ///< the last message of its state
+  };
+  std::array<Node, node_id_max + 1> nodes_{};
+};
+
 /// Data of each watch, from `begin` to `end`.
 struct Observed {
   /// `bit_rate` in bit/s; 0: unknown, the load is not judged.
@@ -286,6 +331,9 @@ struct Observed {
   NodeWatch nodes;            ///< boot-ups and emergencies by node
   ValueWatch values;          ///< values and messages with marks of the decoder
   SheetWatch sheets;          ///< differences from data sheets
+  std::array<Guarding, node_id_max + 1> guarding;  ///< by node
+  QuietWatch quiet;                                ///< PDOs of nodes that send none
+  RhythmWatch clocks;                              ///< TIME
 };
 
 }  // namespace canvoy::text

@@ -95,6 +95,42 @@ void judge_struck(const Observed& bus, Findings& findings) {
 
 }  // namespace
 
+namespace {
+
+/// Two producers of TIME (CiA 301, 7.2.6: one producer).
+void judge_clocks(const Observed& bus, Findings& findings) {
+  const auto& rhythms = bus.clocks.found();
+  if (!rhythms) return;
+  findings.push_back(
+      {.kind = FindingKind::cob_id_twice,
+       .can_id = static_cast<std::uint16_t>(can_id::time),
+       .count = 1,
+       .first = rhythms->since,
+       .last = rhythms->last,
+       .what = fmt::format("Two devices send TIME, {:03X}h. It comes in two rhythms, each every "
+                           "{}, the one {} behind the other.",
+                           can_id::time, short_time(rhythms->period), short_time(rhythms->apart))});
+}
+
+/// PDOs of nodes that say that they are stopped or pre-operational.
+void judge_quiet(const Observed& bus, Findings& findings) {
+  for (NodeId node = node_id_min; node <= node_id_max; ++node) {
+    const Tally& sent = bus.quiet.of(node);
+    if (sent.count < least) continue;
+    findings.push_back(
+        {.kind = FindingKind::against_protocol,
+         .node = node,
+         .count = sent.count,
+         .first = sent.first,
+         .last = sent.last,
+         .what = fmt::format("{} has sent PDOs, {}, while it said that it is stopped or "
+                             "pre-operational (CiA 301, 7.3.2.2).",
+                             node_text(node), times_text(sent.count))});
+  }
+}
+
+}  // namespace
+
 void judge_cob_id_twice(const Observed& bus, Findings& findings) {
   const auto shared = shared_ids(bus);
   for (const auto& [id, pdo] : bus.pdos.pdos()) {
@@ -105,6 +141,7 @@ void judge_cob_id_twice(const Observed& bus, Findings& findings) {
     finding.what = fmt::format("Two devices send {}.{}", pdo_text(id, pdo), text);
     findings.push_back(finding);
   }
+  judge_clocks(bus, findings);
   judge_struck(bus, findings);
 }
 
@@ -185,6 +222,7 @@ void judge_failed_value(const Observed& bus, Findings& findings) {
 }
 
 void judge_against_protocol(const Observed& bus, Findings& findings) {
+  judge_quiet(bus, findings);
   for (const auto& [place, tally] : bus.values.messages()) {
     const auto& [node, mark] = place;
     const std::string of =

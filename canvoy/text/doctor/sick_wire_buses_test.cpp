@@ -110,7 +110,8 @@ namespace canvoy {
 const std::vector<SickBusRow>& sick_buses() {
   static const std::vector<SickBusRow> all = [] {
     std::vector<SickBusRow> rows = sick::wire_rows();
-    for (const auto& more : {sick::node_rows(), sick::pdo_rows(), sick::value_rows()}) {
+    for (const auto& more :
+         {sick::node_rows(), sick::pdo_rows(), sick::value_rows(), sick::other_rows()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;

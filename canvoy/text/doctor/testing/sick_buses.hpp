@@ -57,6 +57,7 @@ std::vector<SickBusRow> wire_rows();
 std::vector<SickBusRow> node_rows();
 std::vector<SickBusRow> pdo_rows();
 std::vector<SickBusRow> value_rows();
+std::vector<SickBusRow> other_rows();
 
 }  // namespace sick
 
