@@ -5,6 +5,7 @@ tests of canvoy/text/check."""
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -54,7 +55,8 @@ class Check(CommandTest):
         suite = ElementTree.parse(names["junit"]).getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("skipped")), ("31", "0", "0"))
         page = pathlib.Path(names["html"]).read_text()
-        self.assertEqual(page.count("<tr class=\"pass\">"), 31)
+        self.assertEqual(len(re.findall(r'<tr id="sdo-\d\d" class="pass">', page)), 31)
+        self.assertNotIn("<h2>Failed", page)
         self.assertNotIn("<script", page)
 
     def test_a_sheet_of_another_device_fails_with_frames(self):

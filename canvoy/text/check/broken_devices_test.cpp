@@ -312,6 +312,7 @@ TEST(BrokenDevices, ThatDieAreToldByTheCaseThatKilledThem) {
   const Report report = check.run();
   EXPECT_THAT(failures(report), ::testing::ElementsAre("sdo-04"));
   EXPECT_EQ(report.results.back().verdict.why, "the device is silent since sdo-04");
+  EXPECT_THAT(report.notes, ::testing::Contains(::testing::HasSubstr("since sdo-04")));
 }
 
 TEST(BrokenDevices, OnABusThatTakesNoFramesAreLeft) {

@@ -164,6 +164,10 @@ Report Check::run(const std::function<void(const TestResult&)>& tell, std::strin
     if (tell) tell(report.results.back());
   }
   report.is_whole = !bench_.is_broken();
+  if (!lost_since_.empty()) {
+    report.notes.push_back(fmt::format(
+        "the device does not answer since {}: the cases behind it were not tried", lost_since_));
+  }
   bench_.go_on();
   if (!report.is_whole && !bench_.is_broken()) {
     comes_back();

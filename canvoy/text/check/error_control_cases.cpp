@@ -28,7 +28,20 @@ std::vector<Heard> beats_of(Bench& bench, Duration duration) {
   return beats;
 }
 
-/// Ten periods with a tolerance of a tenth each, and 10 ms for an operating system.
+bool is_near(Duration time, Duration wanted, Duration spare) {
+  return std::chrono::abs(time - wanted) <= spare;
+}
+
+/// True if only this heartbeat is late, as by a busy bus or a busy listener: the next one comes at
+/// its own time.
+bool is_late_alone(const std::vector<Heard>& beats, std::size_t i, Duration period,
+                   Duration spare) {
+  return i + 1 < beats.size() && beats[i].time - beats[i - 1].time > period &&
+         is_near(beats[i + 1].time - beats[i - 1].time, 2 * period, spare);
+}
+
+/// Ten periods with a tolerance of a tenth each, and 10 ms for an operating system; one of them may
+/// be late.
 Verdict judge_period(Bench& bench, std::uint16_t period_ms) {
   const Reply done = bench.set(index::heartbeat_producer, 0, period_ms, 2);
   if (!done) return cannot_set("1017h", done);
@@ -39,13 +52,17 @@ Verdict judge_period(Bench& bench, std::uint16_t period_ms) {
     return failed(fmt::format("{} heartbeats in ten periods of {} ms", beats.size(), period_ms));
   }
   const Duration spare = std::max<Duration>(period / 10, 10ms);
+  std::size_t late = 0;
   for (std::size_t i = 0; i < beats.size(); ++i) {
     if (beats[i].frame.length != 1) return failed("a heartbeat has not one byte");
-    if (i == 0) continue;
+    if (i == 0 || (late != 0 && i == late + 1)) continue;
     const Duration gap = beats[i].time - beats[i - 1].time;
-    if (gap < period - spare || gap > period + spare) {
-      return failed(fmt::format("{:.1f} ms between two, in place of {}", in_ms(gap), period_ms));
+    if (is_near(gap, period, spare)) continue;
+    if (late == 0 && is_late_alone(beats, i, period, spare)) {
+      late = i;
+      continue;
     }
+    return failed(fmt::format("{:.1f} ms between two, in place of {}", in_ms(gap), period_ms));
   }
   return passed();
 }

@@ -18,8 +18,8 @@ constexpr std::string_view profiles[] = {"401", "407", "417-4", "418", "419", "4
 /// Cases that a broken device of a table is found by, or a sheet that is none.
 std::set<std::string, std::less<>> found_cases() {
   std::set<std::string, std::less<>> found = {"eds-01"};
-  for (auto&& ways :
-       {module_ways(), lss_ways(), communication_ways(), master_ways(), keeping_ways()}) {
+  for (auto&& ways : {module_ways(), lss_ways(), communication_ways(), master_ways(),
+                      program_ways(), keeping_ways()}) {
     for (const Way& way : ways) found.insert(way.found_by.begin(), way.found_by.end());
   }
   for (auto&& broken : {behaviour_ways(), transport_ways()}) {

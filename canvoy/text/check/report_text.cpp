@@ -75,8 +75,8 @@ void append_cell(std::string& page, std::string_view text) {
 void append_result_row(std::string& page, const TestResult& result) {
   const TestCase& test = *result.test;
   constexpr std::string_view classes[] = {"pass", "fail", "none"};
-  page +=
-      fmt::format("<tr class=\"{}\">", classes[static_cast<std::size_t>(result.verdict.outcome)]);
+  page += fmt::format("<tr id=\"{}\" class=\"{}\">", test.id,
+                      classes[static_cast<std::size_t>(result.verdict.outcome)]);
   append_cell(page, outcome_name(result.verdict.outcome));
   for (const std::string* text :
        {&test.id, &test.title, &test.clause, &test.sends, &test.expects, &result.verdict.why}) {
@@ -92,6 +92,19 @@ void append_result_row(std::string& page, const TestResult& result) {
   page += "</pre></td></tr>\n";
 }
 
+/// The failed cases with links to their rows: of hundreds of rows, they are wanted first.
+void append_failures(std::string& page, const Report& report) {
+  if (report.count(Outcome::failed) == 0) return;
+  page += "<h2>Failed</h2>\n<ul>\n";
+  for (const TestResult& each : report.results) {
+    if (each.verdict.outcome != Outcome::failed) continue;
+    page +=
+        fmt::format("<li><a href=\"#{0}\">{0}</a> {1}: {2}</li>\n", each.test->id,
+                    formats::markup_text(each.test->title), formats::markup_text(each.verdict.why));
+  }
+  page += "</ul>\n";
+}
+
 constexpr std::string_view html_head =
     "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
     "<meta name=\"viewport\" content=\"width=device-width\"><title>Conformance test</title>\n"
@@ -99,7 +112,7 @@ constexpr std::string_view html_head =
     "table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #ccc;padding:.2em .5em;"
     "text-align:left;vertical-align:top}pre{margin:0;overflow:auto;font-size:13px}"
     ".pass td:first-child{color:#060}.fail td:first-child{color:#b00;font-weight:bold}"
-    ".none{color:#666}</style></head><body>\n";
+    ".none{color:#666}tr[id]>td:nth-child(2){white-space:nowrap}</style></head><body>\n";
 
 void append_identity(text::JsonLine& json, const Identity& device) {
   json.key("node").number(unsigned{device.node});
@@ -268,6 +281,7 @@ std::string report_html(const ReportHead& head, const Report& report) {
     page += formats::markup_text(note);
     page += "</p>\n";
   }
+  append_failures(page, report);
   for (std::size_t i = 0; i < group_count; ++i) {
     const auto group = static_cast<Group>(i);
     const std::size_t wrong = count_in(report, group, Outcome::failed);

@@ -243,9 +243,13 @@ Verdict judge_silence(Bench& bench, const Frame& frame) {
 }
 
 Verdict judge_other_node(Bench& bench) {
-  const auto other = static_cast<NodeId>(bench.node() == node_id_max ? 1 : bench.node() + 1);
-  return judge_silence(
-      bench, Frame::data_frame(can_id::sdo_request + other, {0x40, 0, 0x10, 0, 0, 0, 0, 0}));
+  const auto next = static_cast<NodeId>(bench.node() == node_id_max ? 1 : bench.node() + 1);
+  for (const NodeId other : {next, NodeId{0}}) {
+    const Verdict verdict = judge_silence(
+        bench, Frame::data_frame(can_id::sdo_request + other, {0x40, 0, 0x10, 0, 0, 0, 0, 0}));
+    if (verdict.outcome != Outcome::passed) return verdict;
+  }
+  return passed();
 }
 
 Verdict judge_remote(Bench& bench) {
@@ -273,7 +277,7 @@ constexpr CaseRow sdo_rows[] = {
      "C6 17 10 00 02; 81 and the value; D5 with a wrong checksum", "80 with 0504 0004h",
      judge_block_checksum},
     {"sdo-29", "CiA 301, 7.3.3", "a request to another node is not answered",
-     "40 00 10 00 to the next node-ID", "nothing from this node", judge_other_node},
+     "40 00 10 00 to the next node-ID, and to 600h", "nothing from this node", judge_other_node},
     {"sdo-30", "CiA 301, 7.2.4.3", "a remote frame is not answered",
      "a remote frame, 600h + node-ID", "nothing", judge_remote},
     {"sdo-31", "CiA 301, 7.2.4.3", "a request has one answer", "40 00 10 00", "one frame",

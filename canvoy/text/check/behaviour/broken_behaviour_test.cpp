@@ -153,6 +153,53 @@ std::vector<BrokenDevice> car_and_bus_ways() {
   };
 }
 
+/// True for the charger's upload request of an entry of its battery (node-ID 127).
+bool asks_battery(const Frame& frame, std::uint16_t index, std::uint8_t sub) {
+  return frame.id == can_id::sdo_request + node_id_max && frame.data[0] == 0x40 &&
+         index_of(frame) == index && frame.data[3] == sub;
+}
+/// Answers the charger in place of its battery, which gets no request: what the charger takes for
+/// granted. `command` is that of an expedited upload of its bytes; false: the request is lost.
+bool is_taken_for_granted(Middle& middle, const Frame& asked, std::uint32_t number,
+                          std::uint8_t command = 0x43) {
+  Frame answer =
+      Frame::data_frame(can_id::sdo_response + node_id_max,
+                        {command, asked.data[1], asked.data[2], asked.data[3], 0, 0, 0, 0});
+  store(&answer.data[4], number);
+  middle.tell_device(answer);
+  return false;
+}
+
+std::vector<BrokenDevice> charger_link_ways() {
+  return {
+      {"charger",
+       {"it takes the first node for a battery module",
+        {"419-link-01"},
+        [](Middle& middle, Frame& frame) {
+          constexpr std::uint32_t battery_module = 418;
+          return !asks_battery(frame, 0x1000, 0) ||
+                 is_taken_for_granted(middle, frame, battery_module);
+        }}},
+      {"charger",
+       {"it sends with the battery's default COB-IDs, which it does not read",
+        {"419-link-02"},
+        [](Middle& middle, Frame& frame) {
+          for (const std::uint16_t rpdo :
+               {std::uint16_t{0x1400}, std::uint16_t{0x1401}, std::uint16_t{0x1402}}) {
+            if (!asks_battery(frame, rpdo, 1)) continue;
+            return is_taken_for_granted(middle, frame, rpdo == 0x1400 ? 0x27FU : CobId::bit31);
+          }
+          return true;
+        }}},
+      {"charger",
+       {"it does not read what was returned during the charge before",
+        {"419-link-07"},
+        [](Middle& middle, Frame& frame) {
+          return !asks_battery(frame, 0x6052, 0) || is_taken_for_granted(middle, frame, 0, 0x4B);
+        }}},
+  };
+}
+
 std::vector<BrokenDevice> charger_ways() {
   return {
       {"charger", from_device("it never says that it is ready", {"419-status-03"},
@@ -241,7 +288,7 @@ std::vector<BrokenDevice> charger_ways() {
 
 std::vector<BrokenDevice> all_ways() {
   std::vector<BrokenDevice> all = lift_ways();
-  for (auto&& ways : {car_and_bus_ways(), charger_ways()}) {
+  for (auto&& ways : {car_and_bus_ways(), charger_ways(), charger_link_ways()}) {
     all.insert(all.end(), ways.begin(), ways.end());
   }
   return all;

@@ -19,6 +19,8 @@ std::vector<Way> module_ways();
 std::vector<Way> lss_ways();
 /// Of an NMT master (master_test.cpp).
 std::vector<Way> master_ways();
+/// Of a device with a program that is downloaded (program_test.cpp).
+std::vector<Way> program_ways();
 /// Of a device with non-volatile parameters (kept_test.cpp).
 std::vector<Way> keeping_ways();
 /// Of devices with behaviour (broken_behaviour_test.cpp).

@@ -43,6 +43,8 @@ class Middle {
   void add_later(Duration delay, std::uint32_t id, std::initializer_list<std::uint8_t> bytes) {
     device_.add_later(delay, Frame::data_frame(id, bytes));
   }
+  /// Delivers a frame to the device, as if another node had sent it.
+  void tell_device(const Frame& frame) { device_.deliver(frame); }
   void cancel_later() { device_.cancel_later(); }
   void repeat(const Frame& frame) { device_.add(frame); }
   /// The present value of an entry of the device; 0: it has none.

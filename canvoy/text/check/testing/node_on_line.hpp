@@ -54,6 +54,9 @@ class NodeOnLine {
   /// Like add(), after this time; of several, the earliest must be added first.
   void add_later(Duration delay, const Frame& frame) { later_.push_back({now_ + delay, frame}); }
 
+  /// Delivers a frame to the device, as if another node had sent it, past the filters.
+  void deliver(const Frame& frame) { delivered_.push_back(frame); }
+
   /// Forgets what add_later() has added and is not yet due.
   void cancel_later() { later_.clear(); }
 
@@ -78,8 +81,14 @@ class NodeOnLine {
   }
   /// Runs until this time, or until a frame is available.
   void run_until(Time until) {
-    while (queue_.empty() && std::min(node_->deadline(), due_later()) <= until) {
-      now_ = std::max(now_, std::min(node_->deadline(), due_later()));
+    while (queue_.empty() && next_due() <= until) {
+      now_ = std::max(now_, next_due());
+      if (!delivered_.empty()) {
+        const Frame frame = delivered_.front();
+        delivered_.pop_front();
+        node_->receive(frame, now_);
+        continue;
+      }
       if (due_later() <= now_) {
         queue_.push_back({now_, later_.front().frame});
         later_.pop_front();
@@ -90,12 +99,16 @@ class NodeOnLine {
     if (queue_.empty()) now_ = std::max(now_, until);
   }
 
+  Time next_due() const {
+    return delivered_.empty() ? std::min(node_->deadline(), due_later()) : now_;
+  }
   Time due_later() const { return later_.empty() ? Time::max() : later_.front().time; }
 
   Node* node_ = nullptr;
   Time now_{};
   std::deque<Heard> queue_;
   std::deque<Heard> later_;
+  std::deque<Frame> delivered_;
 };
 
 }  // namespace canvoy::conformance
