@@ -58,7 +58,11 @@ bool follows_from(const Finding& finding, const Finding& cause) {
     const bool is_sdo = finding.kind == sdo_slow || finding.kind == against_protocol;
     return is_sdo && is_same_node(finding, cause);
   }
-  if (cause.kind == load_peak) return finding.kind == heartbeat_jitter;
+  // What fills the bus may be no message of CiA 301 at all.
+  if (cause.kind == load_peak) {
+    const bool is_of_babbler = finding.kind == against_protocol && finding.node == 0;
+    return finding.kind == heartbeat_jitter || is_of_babbler;
+  }
   // The sender repeats the frame as fast as it can, and sends nothing else.
   if (cause.kind == not_acknowledged) {
     return finding.kind == load_peak || finding.kind == heartbeat_missing ||
