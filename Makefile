@@ -101,7 +101,7 @@ mdf: build
 # All views of all worlds at all sizes, in light and dark: nothing beyond an edge, nothing too small, and axe finds nothing.
 fit: build
 	@scripts/install-packages test
-	@CANVOY=build/canvoy CANVOY_WHOLE=1 node --test tests/web/fit_test.mjs
+	@CANVOY=build/canvoy CANVOY_WHOLE=1 node --test --test-concurrency=1 tests/web/fit_test.mjs tests/web/firefox_test.mjs
 
 # Properties in CASES cases by chance; the tests have the same hundred of them each time.
 properties:

@@ -56,10 +56,10 @@ async function drawing(browser) {
   await server.end();
 }
 
-/** The share of a core that the page's thread is at work for: scripts, lay-out and drawing. */
+/** The share of a core that the page's thread takes: scripts, lay-out and drawing, by its own time, so that others on the machine do not count. */
 async function busy(page, seconds) {
   const session = await page.context().newCDPSession(page);
-  await session.send("Performance.enable");
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
   const worked = async () => (await session.send("Performance.getMetrics")).metrics.find((each) => each.name === "TaskDuration").value;
   const before = await worked();
   await page.waitForTimeout(1000 * seconds);

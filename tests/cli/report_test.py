@@ -75,6 +75,29 @@ class Report(CommandTest):
             # 540 of 600 units are 5 minutes: the fault begins after a fifth, and takes a tenth.
             self.assertIn('<rect class="fault-band" x="164.0" y="8" width="54.0" height="90"><title>pilot-loss</title></rect>', curve)
 
+    def test_emergencies_are_marks_in_the_curves(self):
+        log = os.path.join(self.folder, "emergency.log")
+        with open(log, "w", encoding="ascii") as out:
+            for second in range(11):  # the temperature of a battery (CiA 418, 6010h) changes each second
+                out.write(f"({second}.000000) can0 18A#{second:02X}0001\n")
+                if second == 5:
+                    out.write("(5.000000) can0 08A#0010010000000000\n(7.500000) can0 08A#0000000000000000\n")
+        page, _ = self.report(log, "--node", "10=418")
+        curves = re.findall(r'<figure class="curve">.*?</figure>', page, re.DOTALL)
+        self.assertNotEqual(curves, [])
+        for curve in curves:
+            # 540 of 600 units are ten seconds; that an error is over is no emergency.
+            self.assertEqual(re.findall('<path class="emergency-mark" d="([^"]*)"', curve), ["M326.0 8v8"])
+
+    def test_what_a_log_does_not_have_is_said_first(self):
+        log = os.path.join(self.folder, "cut.log")
+        with open(log, "w", encoding="ascii") as out:
+            out.write("(1.000000) can0 705#05\n(2.000000) can0 705#05\n(3.0000")
+        page, _ = self.report(log)
+        gaps = re.search(r'<div class="lost">(.*?)</div>', page, re.DOTALL)
+        self.assertRegex(gaps[1], r"1 line of this log could not be read, and is missing here: .*line 3: it does not begin")
+        self.assertLess(page.index('<div class="lost">'), page.index("<section"), "before all else")
+
     def test_a_log_whose_times_jump_back_takes_no_more_memory(self):
         def peak(*seconds):
             """KiB, of the report of a log with half of its frames at each time."""
@@ -141,8 +164,9 @@ class Report(CommandTest):
         with open(log, encoding="ascii") as lines:
             frames = len(lines.readlines())
         page, _ = self.report(log, "--node", "10=418", "--node", "5=419")
-        self.assertIn("Report: Log", words_of(page, "h1"))
+        self.assertIn("Report: night.log", words_of(page, "h1"))
         self.assertNotIn("<script", page, "a log has no picture")
+        self.assertNotIn("JavaScript", page, "nothing is missing without it")
         rows = words_of(page, "tr")
         self.assertTrue(any(re.match(rf"sim0 +{frames} ", each) for each in rows), rows)
         self.assertTrue(any("battery_voltage" in each and each.split()[-2] == "V" for each in rows), rows)

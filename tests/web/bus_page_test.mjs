@@ -60,6 +60,43 @@ function remote_bus(port) {
   })));
 }
 
+test("a bus that is off, and a clock that was set, are said first, and nothing is green", async () => {
+  const remote = await remote_bus(0);
+  const server = await serve("view", `tcp:127.0.0.1:${remote.port}/can0`);
+  const browser = await open_browser();
+  try {
+    const page = await browser.context.newPage();
+    let told = {};  // what no adapter of this machine says, and no clock that tests may set
+    await page.routeWebSocket(/\/live/, (socket) => {
+      socket.connectToServer().onMessage((text) => {
+        const message = JSON.parse(text);
+        for (const state of [message.state, message.change]) if (state?.snapshot) Object.assign(state.snapshot, told);
+        else if (state) state.snapshot = told;
+        socket.send(JSON.stringify(message));
+      });
+    });
+    await page.goto(server.url);
+    await page.locator(".summary.good .headline", { hasText: "The only node is operational" }).waitFor();
+    for (const [state, tone, headline] of [
+      ["error-passive", "warn", "The bus is error-passive."],
+      ["bus-off", "bad", "This program is bus-off"],
+    ]) {
+      told = { bus_state: state };
+      await page.locator(`.summary.${tone} .headline`, { hasText: headline }).waitFor();
+      await page.getByRole("alert").filter({ hasText: `The bus is ${state}.` }).waitFor();
+      assert.equal(await page.locator(".summary.good").count(), 0);
+    }
+    told = { bus_state: "error-active", clock_ahead_s: 3600 };
+    await page.getByRole("alert").filter({ hasText: "all times here are 3600 s behind it" }).waitFor();
+    told = { bus_state: "error-active", clock_ahead_s: -5 };
+    await page.getByRole("alert").filter({ hasText: "all times here are 5 s ahead of it" }).waitFor();
+  } finally {
+    await browser.close();
+    await server.end();
+    await remote.end();
+  }
+});
+
 test("a bus that is lost is said to be, in the first line and as an event, and so is that it is back", async () => {
   let remote = await remote_bus(0);
   const server = await serve("view", `tcp:127.0.0.1:${remote.port}/can0`);

@@ -62,7 +62,8 @@ const std::string_view api_schemas = R"({
    "plan": {"type": "object"},
    "snapshot": {"type": "object"},
    "summary": {"type": "object"},
-   "counts": {"type": "object"},
+   "counts": {"type": "object", "description": "frames and bits of each bus, node and service"},
+   "counted": {"type": "number", "description": "the time of the counts"},
    "record": {
     "type": "object",
     "description": "the log that was begun last",
@@ -75,7 +76,7 @@ const std::string_view api_schemas = R"({
     "required": ["on", "file", "frames", "trouble"]
    }
   },
-  "required": ["time", "snapshot", "counts"]
+  "required": ["time", "snapshot", "counts", "counted"]
  },
  "Node": {
   "type": "object",

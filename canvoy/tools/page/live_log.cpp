@@ -172,8 +172,7 @@ LiveSource::Json LiveLog::state() {
             {"over", playback_->is_over()}}},
           {"snapshot",
            {{"frames_per_second", last_second_},
-            {"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}},
-          {"counts", counts()}};
+            {"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}}};
 }
 
 void LiveLog::act(std::string_view what, const Json& arguments, const Done& done) {

@@ -11,7 +11,6 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/page/api_description.hpp"
-#include "canvoy/tools/page/live_viewer.hpp"
 #include "canvoy/tools/page/refusal.hpp"
 
 namespace canvoy::tools {
@@ -42,15 +41,23 @@ unsigned status_of(const Failure& failure) {
 }  // namespace
 
 LivePage::LivePage(LiveSource& source)
-    : source_(source), state_(std::make_shared<const Json>(Json::object())) {}
+    : source_(source),
+      look_{.state = std::make_shared<const Json>(Json::object()),
+            .counts = std::make_shared<const Json>(Json::object())} {}
 
 void LivePage::look() {
-  state_ = std::make_shared<const Json>(source_.state());
+  constexpr std::uint64_t counted_each = 10;
+  Json state = source_.state();
+  const Json time = state["time"];
+  look_.state = std::make_shared<const Json>(std::move(state));
+  if (looks_++ % counted_each != 0 && counted_run_ == source_.run()) return;
+  look_.counts = std::make_shared<const Json>(counts_at(time));
+  counted_run_ = source_.run();
 }
 
 std::unique_ptr<web::LiveClient> LivePage::connect(const web::RequestTarget& target) {
   look();
-  return std::make_unique<LiveViewer>(source_, state_, target.value("values") != "off");
+  return std::make_unique<LiveViewer>(source_, look_, target.value("values") != "off");
 }
 
 std::string LivePage::methods(std::string_view path) const {
@@ -74,18 +81,18 @@ void LivePage::answer(const web::WebRequest& request, Answer done) {
 
 /// Requests that only read.
 web::WebResponse LivePage::told(const ApiRoute& route, const Json& arguments) {
-  look();
   switch (route.action) {
     case ApiAction::act:
       break;
     case ApiAction::description:
       return json_response(source_.description());
     case ApiAction::state:
-      return json_response(*state_);
+      return json_response(whole_state());
     case ApiAction::networks:
       return json_response(networks());
     case ApiAction::nodes:
-      return json_response(state_->value("snapshot", Json::object()).value("nodes", Json::array()));
+      return json_response(
+          source_.state().value("snapshot", Json::object()).value("nodes", Json::array()));
     case ApiAction::values: {
       std::string members;
       source_.feed().append_values(members, 0);
@@ -102,6 +109,16 @@ web::WebResponse LivePage::told(const ApiRoute& route, const Json& arguments) {
     }
   }
   return refused(404, "there is nothing of this name");
+}
+
+LivePage::Json LivePage::counts_at(const Json& time) const {
+  return {{"counts", source_.counts()}, {"counted", time}};
+}
+
+LivePage::Json LivePage::whole_state() {
+  Json state = source_.state();
+  state.update(counts_at(state["time"]));
+  return state;
 }
 
 LivePage::Json LivePage::networks() const {

@@ -14,6 +14,7 @@
 
 #include "canvoy/tools/page/api_routes.hpp"
 #include "canvoy/tools/page/live_source.hpp"
+#include "canvoy/tools/page/live_viewer.hpp"
 #include "canvoy/web/web_server.hpp"
 
 namespace canvoy::tools {
@@ -24,7 +25,8 @@ class LivePage : public web::WebApplication {
 
   explicit LivePage(LiveSource& source);
 
-  /// Takes the present state of the source for the viewers.
+  /// Takes the present state of the source for the viewers; at each tenth call its counts as well,
+  /// which change with each frame, with the time at which they were taken.
   void look();
 
   std::string methods(std::string_view path) const override;
@@ -33,12 +35,16 @@ class LivePage : public web::WebApplication {
 
  private:
   web::WebResponse told(const ApiRoute& route, const Json& arguments);
+  Json counts_at(const Json& time) const;
+  Json whole_state();
   Json networks() const;
   std::string events_since(std::uint64_t since) const;
   std::string log_text() const;
 
   LiveSource& source_;
-  std::shared_ptr<const Json> state_;
+  LiveLook look_;
+  std::uint64_t looks_ = 0;
+  std::uint64_t counted_run_ = 0;  ///< run of the counts
 };
 
 }  // namespace canvoy::tools

@@ -62,6 +62,8 @@ class LiveSource {
   virtual void advance(Time clock) = 0;
   /// The present state: `time`, `snapshot`, and further members.
   virtual Json state() = 0;
+  /// Counts of each bus until now: `counts` of what viewers are told.
+  Json counts() const;
   /// A file with which `canvoy run FILE` repeats this run; empty: not a run.
   virtual std::string run_file() const { return {}; }
   /// Performs an action of the table of routes, with checked arguments. Throws a refusal
@@ -94,9 +96,6 @@ class LiveSource {
   Json objects(const Json& arguments);
   /// The past of a value; from `bus`, `node`, `object`. Throws NotThere.
   Json history(const Json& arguments);
-  /// Counts of each bus until now.
-  Json counts() const;
-
   FrameFeed feed_;
   EventLines events_;
 

@@ -25,9 +25,8 @@ std::string dumped(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-LiveViewer::LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state,
-                       bool wants_values)
-    : source_(source), newest_(state), wants_values_(wants_values) {}
+LiveViewer::LiveViewer(LiveSource& source, const LiveLook& look, bool wants_values)
+    : source_(source), newest_(look), wants_values_(wants_values) {}
 
 void LiveViewer::add(std::string_view name, std::string_view json) {
   message_ += message_.empty() ? '{' : ',';
@@ -36,7 +35,7 @@ void LiveViewer::add(std::string_view name, std::string_view json) {
 
 void LiveViewer::begin_anew() {
   run_ = source_.run();
-  told_.reset();
+  told_ = {};
   event_ = source_.events().first();
   change_ = 0;
   Json hello = source_.description();
@@ -47,11 +46,16 @@ void LiveViewer::begin_anew() {
 }
 
 void LiveViewer::add_state() {
-  if (told_ == newest_) return;
-  if (!told_) {
-    add("state", dumped(*newest_));
+  if (told_.state == newest_.state) return;
+  if (!told_.state) {
+    Json state = *newest_.state;
+    state.update(*newest_.counts);
+    add("state", dumped(state));
   } else {
-    const Json change = json_difference(*told_, *newest_);
+    Json change = json_difference(*told_.state, *newest_.state);
+    if (told_.counts != newest_.counts) {
+      change.update(json_difference(*told_.counts, *newest_.counts));
+    }
     if (!change.empty()) add("change", dumped(change));
   }
   told_ = newest_;

@@ -11,13 +11,19 @@
 
 namespace canvoy::tools {
 
+/// What is shown at one time, the same for all viewers.
+struct LiveLook {
+  std::shared_ptr<const nlohmann::ordered_json> state{};   ///< without counts
+  std::shared_ptr<const nlohmann::ordered_json> counts{};  ///< its members `counts` and `counted`
+};
+
 class LiveViewer : public web::LiveClient {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `state` refers to the latest state. `wants_values`: the default until the viewer changes it.
-  LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state,
-             bool wants_values = true);
+  /// `look` is the latest one, and must outlive this. `wants_values`: the default until the viewer
+  /// changes it.
+  LiveViewer(LiveSource& source, const LiveLook& look, bool wants_values = true);
 
   std::string next() override;
   bool is_behind() const override;
@@ -37,8 +43,8 @@ class LiveViewer : public web::LiveClient {
   void watch_frames(const Json& request);
 
   LiveSource& source_;
-  const std::shared_ptr<const Json>& newest_;
-  std::shared_ptr<const Json> told_;  ///< the last state sent
+  const LiveLook& newest_;
+  LiveLook told_;  ///< what was sent last
   std::optional<std::uint64_t> run_;
   std::uint64_t event_ = 0;
   std::uint64_t change_ = 0;

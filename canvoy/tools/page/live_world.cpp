@@ -224,9 +224,9 @@ const LiveSource::Json& LiveWorld::summary() {
 }
 
 LiveSource::Json LiveWorld::state() {
-  return {{"time", in_seconds(now() - Time{})}, {"play", play_json()},  {"plan", plan_json()},
-          {"snapshot", network().snapshot()},   {"summary", summary()}, {"counts", counts()},
-          {"record", recorder().json()}};
+  return {
+      {"time", in_seconds(now() - Time{})}, {"play", play_json()},  {"plan", plan_json()},
+      {"snapshot", network().snapshot()},   {"summary", summary()}, {"record", recorder().json()}};
 }
 
 void LiveWorld::act(std::string_view what, const Json& arguments, const Done& done) {

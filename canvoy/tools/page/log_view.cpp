@@ -79,7 +79,7 @@ LogView::LogView(const FrameStore& store, const std::vector<std::string>& buses,
       cursor_(store),
       search_(store, buses, printer_),
       is_filtered_(!filter.empty()) {
-  if (is_filtered_ || store_.size() <= whole_max) return;
+  if (is_filtered_ || store_.size() <= whole_max || end() <= window) return;
   since_ = learned_from;
   decode(0, learned_from);
   next_ = learned_from;

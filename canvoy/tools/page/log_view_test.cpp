@@ -205,6 +205,17 @@ TEST(LogView, WithoutAFilterTellsThoseBeforeTheTime) {
   EXPECT_EQ(jumped.back()["time"], 480.0);
 }
 
+TEST(LogView, ALongLogThatIsPlayedFromItsStartIsToldFromItsFirstFrame) {
+  Log log(500'000);
+  log.until = Time(4ms);
+  LogView reader = log.reader("");
+  EXPECT_EQ(read_all(reader).size(), 5U);  // at 0 ms to 4 ms
+  log.until = Time(1s);
+  const Json next = read_all(reader);
+  ASSERT_EQ(next.size(), 996U);
+  EXPECT_EQ(next.front()["time"], 0.005);
+}
+
 TEST(LogView, TellsAllOfAShortLog) {
   Log log(30'000);
   LogView reader = log.reader("");

@@ -41,6 +41,42 @@ bool is_grave(std::string_view event_line) {
       names, [&](std::string_view name) { return event_line.find(name) != event_line.npos; });
 }
 
+std::uint64_t count_in(const Json& from, const char* key) {
+  return from.value(key, std::uint64_t{0});
+}
+
+/// Sentences of what this report does not have, since it was not read or not heard.
+Json gaps_of(const Json& about, const Json& last) {
+  const Json snapshot = last.value("snapshot", Json::object());
+  const Json play = last.value("play", Json::object());
+  Json gaps = Json::array();
+  const auto unreadable = count_in(about, "unreadable");
+  if (unreadable == 1) {
+    gaps.push_back(fmt::format("1 line of this log could not be read, and is missing here: {}.",
+                               about.value("unreadable_at", "")));
+  } else if (unreadable != 0) {
+    gaps.push_back(
+        fmt::format("{} lines of this log could not be read, and are missing here. The first: {}.",
+                    unreadable, about.value("unreadable_at", "")));
+  }
+  if (const auto others = count_in(about, "of_other_buses"); others != 0) {
+    gaps.push_back(fmt::format("{} frames are of more buses than a report shows.", others));
+  }
+  if (const auto lost = count_in(snapshot, "frames_lost") + count_in(play, "frames_lost");
+      lost != 0) {
+    gaps.push_back(fmt::format("{} frames were lost before they reached this program.", lost));
+  }
+  std::string trouble = snapshot.value("trouble", "");
+  if (trouble.empty()) trouble = play.value("trouble", "");
+  const std::string state = snapshot.value("bus_state", "");
+  if (!trouble.empty()) {
+    gaps.push_back(fmt::format("The bus was lost at the end: {}.", trouble));
+  } else if (!state.empty() && state != "error-active") {
+    gaps.push_back(fmt::format("The bus was {} at the end.", state));
+  }
+  return gaps;
+}
+
 /// An object of a node over time.
 struct Curve {
   Json last;
@@ -79,11 +115,13 @@ class ReportMaker {
  private:
   Json made() {
     Json last = source_.state();
+    last["counts"] = source_.counts();
     Json nodes = last["snapshot"].value("nodes", Json::array());
+    Json gaps = gaps_of(about_, last);
     last.erase("snapshot");
     return {{"about", about_},    {"pictures", pictures_}, {"end", last},
             {"nodes", nodes},     {"events", events()},    {"events_left_out", left_out_},
-            {"values", values()}, {"curves", curves()}};
+            {"values", values()}, {"curves", curves()},    {"gaps", std::move(gaps)}};
   }
 
   /// Events are collected on the way, since the source keeps only the latest.
@@ -197,17 +235,28 @@ bool has_pictures(const Json& report) {
   return report["about"].contains("scenery");
 }
 
-/// The pictures, by gzip and base64, and the script that draws them.
+/// By gzip and base64, in a script that does nothing.
+std::string packed(std::string_view id, std::string_view text) {
+  const std::string bytes = web::compressed(text);
+  return fmt::format(
+      "<script type=\"text/plain\" id=\"{}\">{}</script>\n", id,
+      gateway::to_base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
+}
+
+/// Unpacks the script that draws the pictures, and runs it.
+constexpr std::string_view begin_script =
+    "<script>(async()=>{const b=Uint8Array.from(atob(document.getElementById('script').textContent"
+    "),c=>c.charCodeAt(0)),s=document.createElement('script');s.textContent=await new Response(new "
+    "Blob([b]).stream().pipeThrough(new DecompressionStream('gzip'))).text();document.body.append("
+    "s)})()</script>";
+
+/// The pictures, and the script that draws them.
 std::string packed_pictures(const Json& report, std::string_view script) {
   const Json& about = report["about"];
   const Json data = {{"about", {{"kind", about["kind"]}, {"scenery", about["scenery"]}}},
                      {"pictures", report["pictures"]}};
-  const std::string packed =
-      web::compressed(data.dump(-1, ' ', false, Json::error_handler_t::replace));
-  return fmt::format(
-      "<script type=\"text/plain\" id=\"data\">{}</script>\n<script>{}</script>",
-      gateway::to_base64({reinterpret_cast<const std::uint8_t*>(packed.data()), packed.size()}),
-      script);
+  return packed("data", data.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+         packed("script", script) + std::string(begin_script);
 }
 
 }  // namespace

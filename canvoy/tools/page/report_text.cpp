@@ -55,7 +55,7 @@ std::string begun_large(std::string text) {
 }
 
 std::string title_of(const Json& about) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> titles = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> titles = {{
       {"lift", "Lifts in a building"},
       {"charger", "Charger and battery"},
       {"charging-yard", "A charging yard"},
@@ -63,14 +63,17 @@ std::string title_of(const Json& about) {
       {"police", "A police car on patrol"},
       {"bus-line", "A bus on its line"},
       {"excavator", "An excavator at work"},
-      {"bus", "Bus"},
-      {"log", "Log"},
   }};
   std::string kind = text_at(about, "kind");
   for (const auto& [name, title] : titles) {
     if (name == kind) return std::string(title);
   }
-  return kind;
+  // A bus and a log are known by their names.
+  constexpr std::string_view looks = "canvoy view ";
+  std::string command = text_at(about, "command");
+  if (!command.starts_with(looks)) return kind;
+  const std::size_t folder = kind == "log" ? command.rfind('/') : std::string::npos;
+  return command.substr(folder == std::string::npos ? looks.size() : folder + 1);
 }
 
 void begin_card(std::string& page, std::string_view title) {
@@ -199,6 +202,22 @@ std::vector<FaultSpan> fault_spans(const Json& events, double until) {
   return spans;
 }
 
+/// Times of emergencies; the end of an error is none.
+std::vector<double> emergency_times(const Json& events) {
+  std::vector<double> times;
+  for (const Json& event : events) {
+    const bool is_one = text_at(event, "event") == "emergency" && text_at(event, "code") != "0000";
+    if (is_one) times.push_back(number_in(event, "time"));
+  }
+  return times;
+}
+
+/// What is drawn into each curve.
+struct CurveMarks {
+  std::vector<FaultSpan> faults;
+  std::vector<double> emergencies;
+};
+
 /// A value over time, constant until it changes: steps.
 class DrawnCurve {
  public:
@@ -212,13 +231,13 @@ class DrawnCurve {
   }
 
   void put_to(std::string& page, const std::string& title, const std::string& last,
-              std::string_view unit, const std::vector<FaultSpan>& faults) const {
+              std::string_view unit, const CurveMarks& marks) const {
     write(page,
           "<figure class=\"curve\"><figcaption>{0} <b>{1}</b></figcaption>\n"
           "<svg viewBox=\"0 0 {2} {3}\" role=\"img\" aria-label=\"{0}, {4} to {5}\">\n",
           markup_text(title), markup_text(last), width, height, measured(low_, unit),
           measured(high_, unit));
-    for (const FaultSpan& span : faults) {
+    for (const FaultSpan& span : marks.faults) {
       const double from = std::max(x(span.begin), left);
       write(page,
             "<rect class=\"fault-band\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\">"
@@ -226,6 +245,7 @@ class DrawnCurve {
             from, top, std::max(2.0, x(span.end) - from), height - top - bottom,
             markup_text(span.fault));
     }
+    put_emergencies(page, marks.emergencies);
     write(page, "<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>\n<path class=\"line\" d=\"{4}\"/>\n",
           left, top, height - bottom, width - right, path());
     write(page,
@@ -247,6 +267,18 @@ class DrawnCurve {
   static constexpr double top = 8;
   static constexpr double bottom = 22;
 
+  /// Those that lie in one another's mark are one.
+  void put_emergencies(std::string& page, const std::vector<double>& times) const {
+    constexpr double mark_width = 2;
+    std::string marks;
+    double last = -mark_width;
+    for (const double time : times) {
+      if (x(time) - last < mark_width) continue;
+      last = x(time);
+      write(marks, "M{:.1f} {}v8", last, top);
+    }
+    if (!marks.empty()) write(page, "<path class=\"emergency-mark\" d=\"{}\"/>\n", marks);
+  }
   double x(double time) const {
     return left + (time - begin_) / std::max(end_ - begin_, 1e-6) * (width - left - right);
   }
@@ -304,7 +336,8 @@ void put_curves(std::string& page, const Json& report, const ReportNames& names,
                 double end) {
   const Json& curves = report["curves"];
   if (curves.empty()) return;
-  const std::vector<FaultSpan> faults = fault_spans(report["events"], end);
+  const CurveMarks marks{.faults = fault_spans(report["events"], end),
+                         .emergencies = emergency_times(report["events"])};
   begin_card(page, "Over time");
   page += "<div class=\"pair\">\n";
   for (const auto& [key, points] : curves.items()) {
@@ -316,10 +349,11 @@ void put_curves(std::string& page, const Json& report, const ReportNames& names,
         value.contains("name") ? text_at(value, "name") : text_at(value, "index");
     DrawnCurve(points, begin, end)
         .put_to(page, fmt::format("{}: {}", names.of(told), name), text_at(told, "text"),
-                text_at(value, "unit"), faults);
+                text_at(value, "unit"), marks);
   }
   page += "</div>\n";
-  if (!faults.empty()) page += "<p class=\"hint\">Red: a fault was there.</p>\n";
+  if (!marks.faults.empty()) page += "<p class=\"hint\">Red: a fault was there.</p>\n";
+  if (!marks.emergencies.empty()) page += "<p class=\"hint\">Orange: an emergency.</p>\n";
   end_card(page);
 }
 
@@ -436,16 +470,27 @@ void put_head(std::string& page, const Json& report, double length_s) {
   const auto invariants = summary.value("invariants", Json::array());
   const auto broken =
       std::ranges::count_if(invariants, [](const Json& it) { return !has_held(it); });
+  const bool is_decided =
+      std::ranges::all_of(invariants, [](const Json& it) { return it.value("decided", true); });
   write(page, "<h1>Report: {}", markup_text(title_of(about)));
   if (!invariants.empty()) {
     write(page, " <span class=\"state {}\">{}</span>", broken == 0 ? "good" : "bad",
-          broken == 0 ? "all holds" : fmt::format("{} broken", broken));
+          broken != 0  ? fmt::format("{} broken", broken)
+          : is_decided ? "all holds"
+                       : "none broken");
   }
   const auto plan = end.value("plan", Json::object());
   write(page, "</h1>\n<p class=\"muted\">{}: <code class=\"mono\">{}</code>, {}</p>\n",
         plan.empty() ? "To see it" : "The same run once more",
         markup_text(plan.empty() ? text_at(about, "command") : text_at(plan, "command")),
         report_time_text(length_s));
+}
+
+void put_gaps(std::string& page, const Json& gaps) {
+  if (gaps.empty()) return;
+  page += "<div class=\"lost\">\n";
+  for (const Json& gap : gaps) write(page, "<p>{}</p>\n", markup_text(gap.get<std::string>()));
+  page += "</div>\n";
 }
 
 }  // namespace
@@ -502,8 +547,9 @@ std::string report_text(const Json& report) {
   const ReportNames names(nodes);
   std::string page;
   put_head(page, report, length_s);
+  put_gaps(page, report.value("gaps", Json::array()));
   page += "<div id=\"picture\"></div>\n";
-  if (report["pictures"].size() > 1) {
+  if (report["about"].contains("scenery")) {
     page += "<noscript><p class=\"hint\">Pictures of the run need JavaScript.</p></noscript>\n";
   }
   put_verdicts(page, summary);

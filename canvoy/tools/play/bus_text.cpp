@@ -149,6 +149,20 @@ std::string_view bus_state_words(const BusNetworkSnapshot& now) {
   return "";
 }
 
+std::string_view door_words(bus_line::DoorState state) {
+  switch (state) {
+    case bus_line::DoorState::closed:
+      return "closed";
+    case bus_line::DoorState::opening:
+      return "opening";
+    case bus_line::DoorState::open:
+      return "open";
+    case bus_line::DoorState::closing:
+      return "closing";
+  }
+  return "";
+}
+
 std::string clock_text(const cia407::CivilTime& time) {
   return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", time.year, time.month, time.day,
                      time.hour, time.minute, time.second);
@@ -173,11 +187,15 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
                    {"longitude", now.position.longitude},
                    {"speed_m_per_s", now.speed},
                    {"distance_m", now.odometer}};
+  Json doors = Json::array();
+  for (const bus_line::DoorState door : now.doors) doors.push_back(door_words(door));
+  json["plant"]["doors"] = std::move(doors);
   json["counted_aboard"] = now.counted;
   Json displays = Json::array();
   for (const BusNetworkSnapshot::Shown& shown : now.displays) {
     displays.push_back({{"node", shown.node},
                         {"display", names.name(shown.node)},
+                        {"car", names.car(shown.node)},
                         {"text", shown.text},
                         {"stop_sign", shown.is_sign_lit}});
   }

@@ -19,6 +19,8 @@ class BusNames : public PlanNames<bus_line::FaultKind> {
   std::string device(BusIndex, NodeId id) const override;
   /// Name without the node-ID, such as `ticket-canceller`; empty: no device of the bus has it.
   std::string_view name(NodeId id) const { return bus_line::name_of(design_, id); }
+  /// Car of a device of the bus, 1 the first.
+  unsigned car(NodeId id) const { return bus_line::car_of(bus_line::key_of(design_, id)); }
 
  private:
   const bus_line::BusDesign& design_;

@@ -1,11 +1,12 @@
 // All frames, in a list that draws only its visible part.
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { part, refine, useAddress } from "./address";
 import { ask, live, useLive, watch_frames, type Frame, type Json } from "./live";
-import { Card, device_name, time_text, measure_text } from "./parts";
+import { Card, device_name, time_text, measure_text, useMedia } from "./parts";
 import { texts } from "./texts";
 
-const row_height = 26;
+const row_height_usual = 26;
+const row_height_narrow = 46;  // two lines
 const rows_around = 6;
 
 /** The clause that defines this object: `CiA 419, 8.4.1`; looked up once for each object of a node. */
@@ -106,9 +107,11 @@ export function Frames() {
   const [follows, follow] = useState(part("frame") === "");
   const [held, hold] = useState<Frame[] | null>(null);
   const [picked, set_picked] = useState<Frame | null>(null);
-  const [top, set_top] = useState(0);
+  const top = useRef(0);  // where the list is scrolled to
+  const [, scrolled] = useState(0);
   const [height, set_height] = useState(600);
   const list = useRef<HTMLDivElement>(null);
+  const row_height = useMedia("(max-width: 720px)") ? row_height_narrow : row_height_usual;
 
   useEffect(() => {
     if (filter === tried) return;
@@ -121,6 +124,7 @@ export function Frames() {
   useEffect(() => watch_frames(tried, set_error), [tried, live.hello]);
 
   const frames = held ?? live.frames;
+  const is_at_end = follows && !held;
   const pick = (frame: Frame) => {
     set_picked(frame);
     refine({ frame: name_of(frame) });
@@ -151,19 +155,25 @@ export function Frames() {
     observer.observe(box);
     return () => observer.disconnect();
   }, []);
-  useEffect(() => {
-    if (follows && !held && list.current) list.current.scrollTop = frames.length * row_height;
+  useLayoutEffect(() => {
+    if (!is_at_end || !list.current) return;
+    top.current = Math.max(0, frames.length * row_height - height);
+    list.current.scrollTop = frames.length * row_height;
   });
 
   const on_scroll = () => {
     const box = list.current;
     // The event of a last scroll arrives when another view is already shown.
     if (!box) return;
-    set_top(box.scrollTop);
-    const at_end = box.scrollTop + box.clientHeight >= box.scrollHeight - row_height * 2;
-    if (!at_end && follows && box.scrollTop < top) follow(false);
+    const near_end = box.scrollTop + box.clientHeight >= box.scrollHeight - row_height * 2;
+    if (is_at_end && (near_end || box.scrollTop >= top.current)) return;
+    top.current = box.scrollTop;
+    scrolled(box.scrollTop);
+    if (!near_end) follow(false);
   };
-  const first = Math.max(0, Math.floor(top / row_height) - rows_around);
+  // The end is drawn before the list has been scrolled there.
+  const from = is_at_end ? Math.max(0, frames.length * row_height - height) : top.current;
+  const first = Math.max(0, Math.floor(from / row_height) - rows_around);
   const shown = frames.slice(first, first + Math.ceil(height / row_height) + 2 * rows_around);
   const move = (by: number) => {
     const at = picked ? frames.indexOf(picked) : first;
@@ -205,8 +215,8 @@ export function Frames() {
           {frames.length === 0 && <p class="hint">{texts.frames_none}</p>}
           <div role="presentation" style={{ height: `${frames.length * row_height}px`, position: "relative" }}>
             <div role="presentation" style={{ transform: `translateY(${first * row_height}px)` }}>
-              {shown.map((frame) => (
-                <div key={frame.n} role="option" aria-selected={frame === picked ? "true" : "false"}
+              {shown.map((frame, row) => (
+                <div key={row} role="option" aria-selected={frame === picked ? "true" : "false"}
                   class={`frame-row ${frame === picked ? "picked" : ""} ${frame.marks ? "marked" : ""} s-${frame.service.split(" ")[0].replace(/[0-9]+$/, "").toLowerCase()}`}
                   onClick={() => { pick(frame); follow(false); }}>
                   <span class="mono">{time_text(frame.time, 4)}</span>
@@ -220,7 +230,7 @@ export function Frames() {
           </div>
         </div>
       </Card>
-      <Card class="detail-card"><Details frame={picked} /></Card>
+      <Card class={`detail-card ${picked ? "" : "none"}`}><Details frame={picked} /></Card>
     </div>
   );
 }

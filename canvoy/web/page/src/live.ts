@@ -37,9 +37,13 @@ export type Sample = [time: number, value: number | string];
 export const frames_max = 200_000;
 const events_max = 10_000;
 const samples_max = 20_000;
+const quiet_ms = 1000;  // a run that stands says nothing by itself: the server is asked then
+const silent_ms = 5000;
+const draw_ms = 200;  // between two drawings of lists and tables, which nobody reads faster
 
 export const live = {
   is_open: false,
+  is_silent: false,  // the server has said nothing for a while, though it was asked
   heard_at: 0,  // time of the last message of the server, by performance.now()
   lost_place: false,  // lost to a newer viewer: the server requests no other try
   hello: {} as Json,
@@ -67,17 +71,32 @@ let wanted: (() => void)[] = [];  // messages to send at each connection
 let frames_asked = 0;  // the unanswered request for frames: frames before its answer belong to another filter
 const waiting = new Map<number, (answer: Json) => void>();
 const listeners = new Set<() => void>();
-let is_due = false;
+let is_due = false;  // with the next picture of the screen
+let timer: ReturnType<typeof setTimeout> | undefined;
+let drawn_at = -Infinity;
+let moves = false;
 
-function changed() {
+/** Sets whether the view has a picture that moves: it is drawn with each message. */
+export const draw_each = (each: boolean) => void (moves = each);
+
+function draw() {
+  clearTimeout(timer);
+  timer = undefined;
+  is_due = false;
+  drawn_at = performance.now();
+  listeners.forEach((listener) => listener());
+}
+
+/** Draws what has changed, once for all changes until then: with the next picture of the screen, or later if it has time. */
+function changed(has_time = false) {
   if (is_due) return;
+  const wait = document.hidden ? 500 : has_time ? drawn_at + draw_ms - performance.now() : 0;
+  if (wait > 0) {
+    timer ??= setTimeout(draw, wait);
+    return;
+  }
   is_due = true;
-  const tell = () => {
-    is_due = false;
-    listeners.forEach((listener) => listener());
-  };
-  if (document.hidden) setTimeout(tell, 500);
-  else requestAnimationFrame(tell);
+  requestAnimationFrame(draw);
 }
 
 /** Draws a component again whenever a message has arrived. */
@@ -118,7 +137,7 @@ function rates_between(counts: Json, before: Json, passed: number): Json {
 
 /** Rates from two counts at least a second apart, by the time of the run; of the first count, the mean from the start. */
 function count() {
-  const { time, counts } = live.state;
+  const { counted: time, counts } = live.state;
   if (!counts) return;
   if (counted && time < counted.at) counted = null;
   if (counted && time - counted.at < 1) return;
@@ -200,7 +219,10 @@ function take(message: Json) {
     live.frames = [];
   }
   if (message.frames && !frames_asked) {
-    for (const frame of message.frames) live.frames.push({ n: ++frame_number, ...frame });
+    for (const frame of message.frames) {
+      frame.n = ++frame_number;
+      live.frames.push(frame);
+    }
     if (live.frames.length > frames_max * 1.1) live.frames.splice(0, live.frames.length - frames_max);
   }
   if (message.frames_searched !== undefined) live.frames_searched = message.frames_searched;
@@ -209,21 +231,48 @@ function take(message: Json) {
     waiting.get(answer.id)?.(answer);
     waiting.delete(answer.id);
   }
-  changed();
+  changed(!moves && !message.hello && !message.answers);
 }
 
-export function connect() {
+/** What is shown is of now: the server is there, and answers. */
+export const is_current = () => live.is_open && !live.is_silent;
+
+/** A connection may be dead without an end, as behind a laptop that has slept. */
+function watch_silence() {
+  let asks = false;
+  setInterval(() => {
+    if (!live.is_open) return;
+    const silence = performance.now() - live.heard_at;
+    if (silence > quiet_ms && !asks) {
+      asks = true;
+      void ask("values", { on: told_values }).then(() => (asks = false));
+    }
+    if (silence <= silent_ms) return;
+    live.is_silent = true;
+    changed();
+  }, quiet_ms);
+}
+
+export function start() {
+  connect();
+  watch_silence();
+}
+
+function connect() {
   told_values = wants_values();
   const url = `ws://${location.host}/live${told_values ? "" : "?values=off"}`;
   socket = here ? here(url) : new WebSocket(url);
   socket.onopen = () => {
     live.is_open = true;
+    live.is_silent = false;
+    live.heard_at = performance.now();
     tell_values();
     wanted.forEach((say) => say());
     changed();
   };
   socket.onmessage = (event) => {
     live.heard_at = performance.now();
+    live.is_silent = false;
     take(JSON.parse(event.data));
   };
   socket.onclose = (event) => {

@@ -5,12 +5,12 @@ import "./style.css";
 import { go, useAddress } from "./address";
 import { EventList, Events, Faults } from "./events";
 import { Frames } from "./frames";
-import { ask, connect, live, plays_here, useLive, want_values, type Json } from "./live";
+import { ask, draw_each, is_current, live, plays_here, start, useLive, want_values, type Json } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
 import { Objects } from "./objects";
 import { Overview } from "./overview";
-import { Card, Copy, day_text, time_text } from "./parts";
+import { Card, Copy, day_text, time_text, useMedia } from "./parts";
 import { Plots } from "./plots";
 import { follow_run, link_text, seek, watch_links } from "./run_link";
 import { Status } from "./status";
@@ -112,18 +112,6 @@ function Share(props: { close: () => void }) {
   );
 }
 
-/** Whether a media query holds. */
-function useMedia(query: string): boolean {
-  const [holds, set] = useState(() => matchMedia(query).matches);
-  useEffect(() => {
-    const media = matchMedia(query);
-    const look = () => set(media.matches);
-    media.addEventListener("change", look);
-    return () => media.removeEventListener("change", look);
-  }, [query]);
-  return holds;
-}
-
 function World() {
   const { hello } = useLive();
   const is_wide = useMedia("(min-width: 1700px)");
@@ -160,8 +148,11 @@ function title_of(hello: Json): string {
 }
 
 function Page() {
-  const { hello, state, is_open } = useLive();
-  useEffect(() => void document.documentElement.classList.toggle("stale", !is_open), [is_open]);
+  const { hello, state } = useLive();
+  const is_now = is_current();
+  useEffect(() => void document.documentElement.classList.toggle("stale", !is_now), [is_now]);
+  const stands = !is_now || !!state.play?.paused || !!state.play?.over;
+  useEffect(() => void document.documentElement.classList.toggle("stands", stands), [stands]);
   const has_world = hello.kind in worlds;
   const [shares, share] = useState(false);
   const asked = useAddress()("view");
@@ -170,6 +161,7 @@ function Page() {
   const View = views[view];
   const pick = (name: string) => { if (name !== view || !known) go({ view: name, object: "", sort: "" }); };
   useEffect(() => want_values(views_of_values.includes(view) || (known && !has_world && view === "world")), [view, known, has_world]);
+  useEffect(() => draw_each(has_world && view === "world"), [has_world, view]);
   useEffect(watch_links, []);
   useEffect(() => {
     addEventListener("keydown", on_key);
@@ -178,6 +170,7 @@ function Page() {
   useEffect(() => { if (known) follow_run(); });
   const invariants: any[] = state.summary?.invariants ?? [];
   const broken = invariants.filter((each) => !each.held).length;
+  const is_decided = invariants.every((each) => each.decided);
   const toggle_theme = () => {
     const dark = getComputedStyle(document.documentElement).colorScheme.includes("dark") && document.documentElement.dataset.theme !== "light";
     set_theme(dark ? "light" : "dark");
@@ -191,8 +184,8 @@ function Page() {
         <Transport />
         <div class="right">
           {invariants.length > 0 && (
-            <button type="button" class={`verdict ${!is_open ? "" : broken ? "bad" : "good"}`} onClick={() => pick("events")}>
-              {!is_open ? texts.unknown_verdict : broken ? texts.broken(broken) : texts.all_held}
+            <button type="button" class={`verdict ${!is_now ? "" : broken ? "bad" : state.play?.trouble ? "" : "good"}`} onClick={() => pick("events")}>
+              {!is_now ? texts.unknown_verdict : broken ? texts.broken(broken) : is_decided ? texts.all_held : texts.none_broken}
             </button>
           )}
           {known && <button type="button" onClick={() => share(true)}>{texts.share}</button>}
@@ -222,5 +215,5 @@ try {
   // From the system.
 }
 if (location.search && !plays_here) history.replaceState(null, "", location.pathname + location.hash);
-connect();
+start();
 render(<Page />, document.getElementById("page")!);

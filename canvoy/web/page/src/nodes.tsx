@@ -41,7 +41,7 @@ export function Nodes() {
     say(answer.error ?? `${node.device}: ${what}`);
   };
   return (
-    <Card title={texts.views.nodes}>
+    <Card title={texts.views.nodes} class="nodes">
       <p class="said" role="status">{said}</p>
       {nodes.length === 0 && <p class="hint">{texts.nodes_none}</p>}
       <div class="scroll">
@@ -60,13 +60,13 @@ export function Nodes() {
               const place = `${node.bus} ${node.node}`;
               return (
                 <tr key={place}>
-                  <td>{node.device}</td><td>{node.bus}</td><td class="number">{node.node}</td>
+                  <td class="strong">{node.device}</td><td data-label={texts.frame_bus}>{node.bus}</td><td class="number" data-label={texts.node}>{node.node}</td>
                   <td><State state={node.state} /></td>
-                  <td>{node.can_state && <State state={node.can_state} />}</td>
-                  <td class={`number mono ${node.error_register !== "00" ? "bad-text" : ""}`}>{node.error_register}h</td>
-                  <td><Identity node={node} /></td>
-                  <td class="muted">{last === undefined ? texts.never : texts.ago(Math.max(0, state.time - last))}</td>
-                  <td>{emergency && <span class={emergency.code === "0000" ? "muted" : "bad-text"}>{time_text(emergency.time, 1)} {emergency.text}</span>}</td>
+                  <td data-label={texts.controller}>{node.can_state && <State state={node.can_state} />}</td>
+                  <td data-label={texts.errors} class={`number mono ${node.error_register !== "00" ? "bad-text" : ""}`}>{node.error_register}h</td>
+                  <td data-label={texts.identity}><Identity node={node} /></td>
+                  <td class="muted" data-label={texts.last_heard}>{last === undefined ? texts.never : texts.ago(Math.max(0, state.counted - last))}</td>
+                  <td data-label={texts.last_emergency}>{emergency && <span class={emergency.code === "0000" ? "muted" : "bad-text"}>{time_text(emergency.time, 1)} {emergency.text}</span>}</td>
                   {hello.can?.nmt && (
                     <td class="together">
                       <select aria-label={`${texts.nmt}: ${node.device}`} value={picked[place] ?? commands[0]} onChange={(event) => pick({ ...picked, [place]: event.currentTarget.value })}>

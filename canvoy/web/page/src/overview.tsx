@@ -28,7 +28,7 @@ function NodeTiles() {
               <button type="button" class="tile-name" onClick={() => go({ view: "objects", node: `${node.bus} ${node.node}`, search: "" })}>{node.device}</button>
               <span class="tile-state"><State state={node.state} /></span>
               <span class="muted">{node.bus}{node.error_register !== "00" && <b class="bad-text"> {texts.errors} {node.error_register}h</b>}</span>
-              <span class="muted tile-age">{heard === undefined ? texts.never : texts.ago(Math.max(0, state.time - heard))}</span>
+              <span class="muted tile-age">{heard === undefined ? texts.never : texts.ago(Math.max(0, state.counted - heard))}</span>
             </li>
           );
         })}

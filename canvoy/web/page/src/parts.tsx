@@ -1,6 +1,6 @@
 // Small components of several views.
 import type { ComponentChildren } from "preact";
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { live, type Value } from "./live";
 import { texts } from "./texts";
 
@@ -79,6 +79,18 @@ export const owner_name = (value: Value) => (value.node === 0 ? value.bus : devi
 /** Values of a node without heartbeat are old, whatever they say. */
 export function is_old(value: Value): boolean {
   return live.state.snapshot?.nodes?.some((each: any) => each.bus === value.bus && each.node === value.node && each.state === "silent") ?? false;
+}
+
+/** Whether a media query holds. */
+export function useMedia(query: string): boolean {
+  const [holds, set] = useState(() => matchMedia(query).matches);
+  useEffect(() => {
+    const media = matchMedia(query);
+    const look = () => set(media.matches);
+    media.addEventListener("change", look);
+    return () => media.removeEventListener("change", look);
+  }, [query]);
+  return holds;
 }
 
 export function Card(props: { title?: string; class?: string; children: ComponentChildren }) {

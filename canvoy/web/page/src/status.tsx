@@ -1,10 +1,8 @@
 // Faults of the display, in one line above each view: a lost connection, bus or node, lost frames,
 // a truncated log.
 import { useEffect, useState } from "preact/hooks";
-import { useLive, type Json } from "./live";
+import { is_current, useLive, type Json } from "./live";
 import { texts } from "./texts";
-
-const news_within_s = 3;  // the server sends twenty times a second
 
 const left_out_from_s = 0.1;
 
@@ -19,9 +17,8 @@ function useClock(runs: boolean) {
 }
 
 export function Status() {
-  const { hello, state, is_open, heard_at, lost_place, frames_lost } = useLive();
-  const is_bus = hello.kind === "bus";  // a paused run sends nothing, a bus has the time of day
-  useClock(!is_open || is_bus);
+  const { hello, state, is_open, is_silent, heard_at, lost_place, frames_lost } = useLive();
+  useClock(!is_current());
   if (!hello.kind) return <p class="lost" role="alert">{texts.waiting}</p>;
   const snapshot: Json = state.snapshot ?? {};
   const silent = (snapshot.nodes ?? []).filter((node: Json) => node.state === "silent").map((node: Json) => node.device);
@@ -29,11 +26,12 @@ export function Status() {
   const age = (performance.now() - heard_at) / 1000;
   if (lost_place) lines.push(texts.lost_place);
   else if (!is_open) lines.push(texts.lost(Math.round(age)));
-  else if (is_bus && age > news_within_s) lines.push(texts.no_news(Math.round(age)));
+  else if (is_silent) lines.push(texts.no_news(Math.round(age)));
   const trouble = snapshot.trouble || state.play?.trouble;
   const lost = (snapshot.frames_lost ?? 0) + (state.play?.frames_lost ?? 0);
   if (trouble) lines.push(texts.trouble(trouble));
   else if (snapshot.bus_state && snapshot.bus_state !== "error-active") lines.push(texts.bus_state(snapshot.bus_state));
+  if (snapshot.clock_ahead_s) lines.push(texts.clock_ahead(snapshot.clock_ahead_s));
   if (silent.length > 0) lines.push(texts.silent(silent));
   if (lost > 0) lines.push(texts.frames_lost_before(lost));
   if (hello.unreadable > 0) lines.push(texts.unreadable(hello.unreadable, hello.unreadable_at));

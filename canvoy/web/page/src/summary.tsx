@@ -2,7 +2,7 @@
 // the state of the network.
 import { useMemo } from "preact/hooks";
 import { go } from "./address";
-import { useLive, type Json } from "./live";
+import { is_current, useLive, type Json } from "./live";
 import { Figure, number_text, time_text, type FigureProps } from "./parts";
 import { texts } from "./texts";
 import { fault_spans } from "./trends";
@@ -30,6 +30,8 @@ function of_run(invariants: Json[]): Judgement {
 /** Without a server nothing is known, however it was. */
 const lost: Judgement = { tone: "", headline: texts.not_known, detail: texts.not_known_why };
 
+const bus_lost = (trouble: string): Judgement => ({ tone: "bad", headline: texts.bus_lost, detail: trouble });
+
 const names = (nodes: Json[]) => nodes.map((node) => node.device).join(", ");
 
 /** Of a bus or a log, where nothing is known of what the network is for. */
@@ -38,9 +40,10 @@ function of_network(snapshot: Json, is_log: boolean): Judgement {
   const silent = nodes.filter((node) => node.state === "silent");
   const faulty = nodes.filter((node) => node.error_register && node.error_register !== "00");
   const idle = nodes.filter((node) => node.state !== "operational");
-  if (snapshot.trouble) return { tone: "bad", headline: texts.bus_lost, detail: snapshot.trouble };
+  if (snapshot.bus_state === "bus-off") return { tone: "bad", headline: texts.bus_off, detail: texts.bus_off_why };
   if (silent.length > 0) return { tone: "bad", headline: texts.silent_of(silent.length, nodes.length), detail: texts.silent(silent.map((node) => node.device)) };
   if (faulty.length > 0) return { tone: "warn", headline: texts.faulty_of(faulty.length, nodes.length), detail: `${texts.error_register} ${faulty.map((node) => `${node.device}: ${node.error_register}h`).join(", ")}.` };
+  if (snapshot.bus_state && snapshot.bus_state !== "error-active") return { tone: "warn", headline: texts.bus_state(snapshot.bus_state), detail: texts.bus_errors };
   if (nodes.length === 0) return { tone: "", headline: texts.nodes_none, detail: is_log ? texts.nodes_none_log : texts.nodes_none_bus };
   if (idle.length > 0) return { tone: "", headline: texts.operational_of(nodes.length - idle.length, nodes.length), detail: `${names(idle.slice(0, 6))}: ${[...new Set(idle.map((node) => node.state))].join(", ")}.` };
   return { tone: "good", headline: texts.all_operational(nodes.length), detail: texts.no_errors };
@@ -54,11 +57,12 @@ const marks: Record<Tone, string> = {
 export const emergencies_of = (events: Json[]) => events.filter((event) => event.event === "emergency" && event.code !== "0000");
 
 export function Summary(props: { figures: FigureProps[] }) {
-  const { state, hello, events, rates, is_open } = useLive();
+  const { state, hello, events, rates } = useLive();
   const snapshot: Json = state.snapshot ?? {};
   const nodes: Json[] = snapshot.nodes ?? [];
   const invariants: Json[] = state.summary?.invariants ?? [];
-  const said = !is_open ? lost : invariants.length > 0 ? of_run(invariants) : of_network(snapshot, hello.kind === "log");
+  const trouble = snapshot.trouble || state.play?.trouble;
+  const said = !is_current() ? lost : trouble ? bus_lost(trouble) : invariants.length > 0 ? of_run(invariants) : of_network(snapshot, hello.kind === "log");
   const emergencies = useMemo(() => emergencies_of(events).length, [hello, events.length, events.at(-1)]);
   const faults = useMemo(() => fault_spans(Infinity).filter((span) => span.end === Infinity), [hello, events.length, events.at(-1)]);
   const operational = nodes.filter((node) => node.state === "operational").length;

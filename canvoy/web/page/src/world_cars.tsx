@@ -104,24 +104,55 @@ export function PoliceWorld(props: PictureProps) {
   return <Layout kind="police" figures={figures} picture={picture} details={details} parts={props} />;
 }
 
+const is_destination = (display: Json) => /destination/.test(display.display ?? "");
+const is_next_stop = (display: Json) => /next-stop/.test(display.display ?? "");
+const one_line = (text: unknown) => lines_of(text).split("\n").map((line) => line.trim()).filter(Boolean).join(" ");
+
+/** A car as its passengers see it: its own destination and next stop, and its lamp. The doors are those of the vehicle. */
+function Car(props: { number: number; displays: Json[]; doors: string[]; cars: number }) {
+  const { number, displays } = props;
+  const sign = displays.find(is_next_stop);
+  const doors = number === 1 ? props.doors : [];
+  const windows = [0, 1, 2, 3, 4, 5].slice(0, 6 - doors.length);
+  const name = texts.car(number);
+  return (
+    <svg viewBox="36 20 568 176" role="img" aria-label={props.cars === 1 ? texts.kinds["bus-line"] : name} class={number > 1 && props.cars > 2 ? "behind" : ""}>
+      <rect class="body" x="50" y="30" width="540" height="130" rx="16" />
+      <rect class="led" x="70" y="38" width="420" height="30" rx="4" />
+      <text class="led-text" x="82" y="59">{one_line(displays.find(is_destination)?.text)}</text>
+      {sign?.stop_sign && <text class="led-text stop-lamp" x="482" y="59" text-anchor="end">STOP</text>}
+      {windows.map((i) => <rect key={i} class="window" x={70 + i * 86} y="74" width="76" height="30" rx="6" />)}
+      {doors.map((state, i) => (
+        <g key={i} class={`bus-door ${state}`}>
+          <rect x={506 - i * 86} y="74" width="62" height="80" rx="4" />
+          <path d={state === "closed" ? `M${537 - i * 86} 74v80` : `M${512 - i * 86} 74v80M${562 - i * 86} 74v80`} />
+        </g>
+      ))}
+      <rect class="led" x="70" y="109" width={doors.length > 1 ? 336 : 420} height="27" rx="4" />
+      <text class="led-text" x="82" y="129">{sign ? one_line(sign.text) : ""}</text>
+      {props.cars > 1 && <text class="car-name" x="578" y="59" text-anchor="end">{name}</text>}
+      {number > 1 && <path class="coupling" d="M590 140h14" />}
+      {number < props.cars && <path class="coupling" d="M50 140h-14" />}
+      <circle class="wheel" cx="150" cy="164" r="26" /><circle class="wheel" cx="410" cy="164" r="26" />
+    </svg>
+  );
+}
+
 export function BusLineWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const plant = now.plant ?? {};
+  const displays: Json[] = now.displays ?? [];
+  const cars = Math.max(1, ...displays.map((each) => each.car ?? 1));
+  const of_car = (car: number) => displays.filter((each) => (each.car ?? 1) === car);
   const picture = (
     <Card class="picture">
-      <svg viewBox="36 20 568 176" role="img" aria-label={texts.kinds["bus-line"]}>
-        <rect class="body" x="50" y="30" width="540" height="130" rx="16" />
-        <rect class="led" x="70" y="40" width="420" height="26" rx="4" />
-        <text class="led-text" x="82" y="59">{plant.destination ?? ""}</text>
-        {[0, 1, 2, 3, 4].map((i) => <rect key={i} class="window" x={70 + i * 86} y="76" width="76" height="46" rx="6" />)}
-        <rect class={`window ${plant.at_stop ? "open-door" : ""}`} x="506" y="44" width="62" height="110" rx="6" />
-        <circle class="wheel" cx="150" cy="164" r="26" /><circle class="wheel" cx="440" cy="164" r="26" />
-        <text class="big" x="280" y="150" text-anchor="middle">{Math.round((plant.speed_m_per_s ?? 0) * 3.6)} km/h</text>
-      </svg>
-      <p class="said" role="status">{plant.at_stop ? `${texts.stands_at} ` : `${texts.next_stop} `}{plant.stop ?? ""}{plant.stop_requested ? ` · ${texts.stop_requested}` : ""}</p>
+      <div class="cars">
+        {Array.from({ length: cars }, (_, i) => <Car key={i} number={i + 1} displays={of_car(i + 1)} doors={plant.doors ?? []} cars={cars} />)}
+      </div>
+      <p class="said" role="status"><b>{Math.round((plant.speed_m_per_s ?? 0) * 3.6)} km/h</b> · {plant.at_stop ? `${texts.stands_at} ` : `${texts.next_stop} `}{plant.stop ?? ""}{plant.stop_requested ? ` · ${texts.stop_requested}` : ""}</p>
       <div class="screens">
-        {(now.displays ?? []).map((each: Json, i: number) => <Screen key={i} class="led-screen" title={`${each.display ?? each.node}${each.stop_sign ? " · STOP" : ""}`} text={lines_of(each.text)} />)}
+        {displays.map((each, i) => <Screen key={i} class="led-screen" title={`${each.display ?? each.node}${each.stop_sign ? " · STOP" : ""}`} text={lines_of(each.text)} />)}
       </div>
       <Legend rows={texts.legends.busline} />
     </Card>
