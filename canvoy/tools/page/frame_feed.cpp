@@ -175,13 +175,14 @@ FrameReader::FrameReader(const FrameFeed& feed, const std::string& filter, std::
       next_(feed.first()) {}
 
 void FrameReader::read(std::string& elements, std::size_t bytes_max) {
-  if (next_ < feed_.first()) {
-    lost_ += feed_.first() - next_;
-    next_ = feed_.first();
+  const std::uint64_t first = std::min(feed_.first(), limit_);
+  if (next_ < first) {
+    lost_ += first - next_;
+    next_ = first;
   }
-  const std::uint64_t end = std::min(feed_.end(), next_ + frames_at_once);
+  const std::uint64_t last = std::min(end(), next_ + frames_at_once);
   std::string line;
-  for (; next_ < end && elements.size() < bytes_max; ++next_) {
+  for (; next_ < last && elements.size() < bytes_max; ++next_) {
     const FrameFeed::Heard& heard = feed_.frame(next_);
     line.clear();
     const bool is_wanted = printer_.append(line, heard.time, feed_.buses()[heard.bus], heard.frame);

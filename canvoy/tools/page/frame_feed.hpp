@@ -7,6 +7,7 @@
 //     reader.read(lines, 256 * 1024);
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -130,18 +131,43 @@ class FrameStream {
   virtual bool is_full() const { return false; }
 };
 
+/// Frames one after the other, by their numbers.
+class FrameWalk : public FrameStream {
+ public:
+  /// Number of frames before the one that is read first, which are followed to know what it means.
+  static constexpr std::uint64_t learned_before = 20'000;
+
+  /// Number of the frame that is read next.
+  virtual std::uint64_t next() const = 0;
+  /// Number of the frame after the last one that there is, or at which it ends.
+  virtual std::uint64_t end() const = 0;
+  /// Goes on with this frame.
+  virtual void begin_at(std::uint64_t number) = 0;
+  /// Ends before this frame.
+  virtual void end_at(std::uint64_t number) = 0;
+};
+
 /// Options to print frames as JSON with one filter; empty: all frames.
 FramePrinterOptions printed_as_json(FramePrinterOptions options, const std::string& filter);
 
 /// Reads the frames of a feed, which keeps the latest ones.
-class FrameReader : public FrameStream {
+class FrameReader : public FrameWalk {
  public:
   /// Reads all frames from `since` on. Throws UsageError for an invalid filter.
   FrameReader(const FrameFeed& feed, const std::string& filter, std::uint64_t since);
 
   void read(std::string& elements, std::size_t bytes_max) override;
-  bool is_behind() const override { return next_ < feed_.end(); }
+  bool is_behind() const override { return next_ < end(); }
   std::uint64_t take_lost() override { return std::exchange(lost_, 0); }
+  std::uint64_t next() const override { return std::max(next_, since_); }
+  std::uint64_t end() const override { return std::min(feed_.end(), limit_); }
+  void begin_at(std::uint64_t number) override {
+    since_ = number;
+    next_ = number - std::min(number, learned_before);
+    // What is no longer there is lost only from the first frame on that was to be read.
+    if (next_ < feed_.first()) next_ = std::min(feed_.first(), since_);
+  }
+  void end_at(std::uint64_t number) override { limit_ = number; }
 
  private:
   static constexpr std::size_t frames_at_once = 5000;
@@ -150,6 +176,7 @@ class FrameReader : public FrameStream {
   FramePrinter printer_;
   std::uint64_t since_;  ///< earlier frames are only decoded
   std::uint64_t next_;
+  std::uint64_t limit_ = ~std::uint64_t{0};  ///< number of the first frame that is not read
   std::uint64_t lost_ = 0;
 };
 

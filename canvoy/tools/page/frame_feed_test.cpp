@@ -65,6 +65,31 @@ TEST(FrameFeed, WhoComesTooLateIsToldHowMuchHeMissed) {
   EXPECT_EQ(reader.take_lost(), 0U);
 }
 
+TEST(FrameFeed, AReaderThatEndsBeforeAFrameLosesNoneBehindIt) {
+  FrameFeed feed({});
+  FrameReader reader(feed, "", 0);
+  reader.end_at(2);
+  for (std::size_t i = 0; i < FrameFeed::frames_max + 3; ++i) feed.add(0s, "can0", heartbeat_of_5);
+  EXPECT_TRUE(read_all(reader).empty());
+  EXPECT_EQ(reader.take_lost(), 2U);
+  EXPECT_EQ(reader.next(), 2U);
+  EXPECT_FALSE(reader.is_behind());
+}
+
+TEST(FrameFeed, AReaderBeginsAtAFrame) {
+  FrameFeed feed({});
+  for (std::size_t i = 0; i < 30'000; ++i) feed.add(Duration(i), "can0", heartbeat_of_5);
+  FrameReader reader(feed, "", 0);
+  reader.begin_at(29'998);
+  EXPECT_EQ(reader.next(), 29'998U);
+  Json found = Json::array();
+  while (reader.is_behind()) {
+    for (const Json& each : read_all(reader)) found.push_back(each);
+  }
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0]["time"], 0.029998);
+}
+
 TEST(FrameFeed, AValueIsToldWhenItHasChanged) {
   FrameFeed feed({.nodes = {"10=418"}});
   feed.add(1s, "can0", twenty_degrees);

@@ -76,7 +76,7 @@ void LiveLog::read(const std::string& path) {
   end_ = cursor_.at(frames_.size() - 1).time;
 }
 
-std::unique_ptr<FrameStream> LiveLog::watch(const std::string& filter, bool /*is_anew*/) const {
+std::unique_ptr<FrameWalk> LiveLog::walk(const std::string& filter, bool /*is_anew*/) const {
   return std::make_unique<LogView>(frames_, buses_, feed_.options(), filter,
                                    [this] { return begin() + (playback_->aim() - Time{}); });
 }

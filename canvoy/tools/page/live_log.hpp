@@ -25,9 +25,9 @@ class LiveLog : public LiveSource {
   Json state() override;
   void act(std::string_view what, const Json& arguments, const Done& done) override;
   int finish() override;
-  std::unique_ptr<FrameStream> watch(const std::string& filter, bool is_anew) const override;
 
  private:
+  std::unique_ptr<FrameWalk> walk(const std::string& filter, bool is_anew) const override;
   void read(const std::string& path);
   std::optional<std::uint8_t> bus_of(std::string_view channel);
   void begin_again();

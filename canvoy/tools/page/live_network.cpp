@@ -111,7 +111,18 @@ LiveSource::Json LiveSource::history(const Json& arguments) {
   return feed_.history(bus, node, object.index, object.sub).json();
 }
 
-std::unique_ptr<FrameStream> LiveSource::watch(const std::string& filter, bool is_anew) const {
+std::unique_ptr<FrameStream> LiveSource::watch(const std::string& filter, bool is_anew) {
+  std::unique_ptr<FrameWalk> own = walk(filter, is_anew);
+  if (!filter.empty()) return own;
+  std::shared_ptr<SharedFrames> shared = shared_.lock();
+  if (!shared) {
+    shared = SharedFrames::create([this] { return walk("", true); });
+    shared_ = shared;
+  }
+  return shared->join(std::move(own));
+}
+
+std::unique_ptr<FrameWalk> LiveSource::walk(const std::string& filter, bool is_anew) const {
   const std::uint64_t end = feed_.end();
   const std::uint64_t since = is_anew ? 0 : end - std::min(end, reported_before);
   return std::make_unique<FrameReader>(feed_, filter, since);

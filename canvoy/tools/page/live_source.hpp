@@ -12,6 +12,7 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/tools/page/frame_feed.hpp"
+#include "canvoy/tools/page/shared_frames.hpp"
 #include "canvoy/tools/player/reported_event.hpp"
 
 namespace canvoy::tools {
@@ -83,14 +84,17 @@ class LiveSource {
   /// Frames through a filter, for one viewer. Includes this many earlier frames, or all frames of a
   /// restarted run. Throws UsageError for an invalid filter.
   static constexpr std::uint64_t reported_before = 20'000;
-  virtual std::unique_ptr<FrameStream> watch(const std::string& filter, bool is_anew) const;
+  std::unique_ptr<FrameStream> watch(const std::string& filter, bool is_anew);
 
  protected:
   void begin_anew() {
+    shared_.reset();
     feed_.clear();
     events_.clear();
     ++run_;
   }
+  /// As watch(), for this viewer alone.
+  virtual std::unique_ptr<FrameWalk> walk(const std::string& filter, bool is_anew) const;
   /// Objects of the profile of a node: `profile`, `objects`; from `bus`, `node`, `search`. Throws
   /// NotThere.
   Json objects(const Json& arguments);
@@ -105,6 +109,7 @@ class LiveSource {
 
   PageReach reach_;
   std::uint64_t run_ = 0;
+  std::weak_ptr<SharedFrames> shared_;  ///< of the viewers without a filter
 };
 
 }  // namespace canvoy::tools

@@ -119,6 +119,12 @@ void LogView::begin_window() {
   next_ = std::max(next_, since_ - std::min(since_, window));
 }
 
+void LogView::begin_at(std::uint64_t number) {
+  since_ = number;
+  next_ = number - std::min(number, learned_before);
+  if (store_.size() <= whole_max) decode(0, std::min(next_, learned_from));  // else it was
+}
+
 void LogView::read(std::string& elements, std::size_t bytes_max) {
   const std::uint64_t last = end();
   const bool has_window = !is_filtered_ && store_.size() > whole_max;

@@ -5,6 +5,7 @@
 //     view.read(lines, 256 * 1024);
 #pragma once
 
+#include <algorithm>
 #include <bitset>
 #include <cstdint>
 #include <functional>
@@ -50,7 +51,7 @@ class LogSearch {
   bool may_know_more_ = true;  ///< than when `wanted_` was made
 };
 
-class LogView : public FrameStream {
+class LogView : public FrameWalk {
  public:
   /// Number of frames before the time without a filter; a log of at most whole_max frames is shown
   /// whole.
@@ -69,6 +70,10 @@ class LogView : public FrameStream {
 
   void read(std::string& elements, std::size_t bytes_max) override;
   bool is_behind() const override { return !is_full() && next_ < end(); }
+  std::uint64_t next() const override { return std::max(next_, since_); }
+  std::uint64_t end() const override { return std::min(store_.first_after(until_()), limit_); }
+  void begin_at(std::uint64_t number) override;
+  void end_at(std::uint64_t number) override { limit_ = number; }
   /// 1 when all is reported.
   double searched() const override;
   bool is_full() const override { return is_filtered_ && matches_ >= matches_max; }
@@ -76,7 +81,6 @@ class LogView : public FrameStream {
   std::uint64_t blocks_read() const { return blocks_read_; }
 
  private:
-  std::uint64_t end() const { return store_.first_after(until_()); }
   void begin_window();
   bool skip_blocks(std::uint64_t last);
   void decode(std::uint64_t from, std::uint64_t to);
@@ -89,7 +93,8 @@ class LogView : public FrameStream {
   LogSearch search_;
   bool is_filtered_;
   std::uint64_t next_ = 0;
-  std::uint64_t since_ = 0;  ///< earlier frames are only decoded
+  std::uint64_t since_ = 0;                  ///< earlier frames are only decoded
+  std::uint64_t limit_ = ~std::uint64_t{0};  ///< number of the first frame that is not read
   std::uint64_t matches_ = 0;
   std::uint64_t followed_ = 0;  ///< end of the last block that was not skipped
   std::uint64_t blocks_read_ = 0;

@@ -216,6 +216,21 @@ TEST(LogView, ALongLogThatIsPlayedFromItsStartIsToldFromItsFirstFrame) {
   EXPECT_EQ(next.front()["time"], 0.005);
 }
 
+TEST(LogView, GoesFromAFrameToAFrame) {
+  for (const std::uint64_t size : {50'000U, 500'000U}) {
+    Log log(size);
+    LogView reader = log.reader("");
+    reader.begin_at(40'000);
+    EXPECT_EQ(reader.next(), 40'000U);
+    reader.end_at(40'100);
+    const Json found = read_all(reader);
+    ASSERT_EQ(found.size(), 100U);
+    EXPECT_EQ(found.front()["time"], 40.0);
+    EXPECT_EQ(reader.next(), 40'100U);
+    EXPECT_EQ(reader.searched(), 1);
+  }
+}
+
 TEST(LogView, TellsAllOfAShortLog) {
   Log log(30'000);
   LogView reader = log.reader("");
