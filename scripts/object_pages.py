@@ -15,9 +15,10 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROFILES = ("301", "401", "402", "406", "407", "417-4", "418", "419", "447-3", "852")
 # Pages whose tables have a row for each object: what is done with it, the reading taken, and the test at the wire.
-TOLD_IN = {"401": "cia401.md", "407": "cia407-objects.md", "447-3": "cia447.md", "852": "cia852.md"}
+TOLD_IN = {"401": "cia401.md", "407": "cia407-objects.md", "417-4": "cia417.md", "418": "cia418.md", "419": "cia419.md", "447-3": "cia447.md", "852": "cia852.md"}
+PLAIN = ("", "here", "what it does, or our reading")  # headings that a line does without
 # Where the rest is.
-ABOUT = {"301": "decisions/canopen.md", "401": "cia401.md", "402": "profiles.md", "406": "profiles.md", "407": "cia407.md", "417-4": "decisions/lift.md", "418": "decisions/charger.md", "419": "decisions/charger.md",
+ABOUT = {"301": "decisions/canopen.md", "401": "cia401.md", "402": "profiles.md", "406": "profiles.md", "407": "cia407.md", "417-4": "cia417.md", "418": "cia418.md", "419": "cia419.md",
          "447-3": "cia447.md", "852": "cia852.md"}  # fmt: skip
 VALUES_MOST = 64  # of a field, in its table
 NAMES_MOST = 12  # of devices; of more, only their number is told
@@ -212,7 +213,7 @@ def ours_section(profile, each, ours, told):
     lines = []
     for index in range(each.first, each.last + 1):
         for row in told.get(index, ()):
-            text = "; ".join(f"{heading}: {cell}" if heading else cell for heading, cell in row if cell)
+            text = "; ".join(cell if heading in PLAIN else f"{heading}: {cell}" for heading, cell in row if cell)
             text = re.sub(r"\]\((?!https?:|#)([^)]*)\)", r"](../../\1)", re.sub(r"\]\(#", f"](../../{TOLD_IN[profile]}#", text))
             if text and f"- {text}" not in lines:
                 lines.append(f"- {text}")
