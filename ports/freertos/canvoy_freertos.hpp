@@ -1,10 +1,11 @@
 // A board with FreeRTOS. FreeRTOS has no CAN: the driver sends frames, and puts received frames
 // into a queue from its interrupt.
 //
-//     bool can_transmit(const canvoy::Frame& frame);           // yours; false where there is no
-//     room FreeRtosCan can(can_transmit); can.received_from_isr(frame); // from the interrupt of
-//     the driver BoardPort port(can); for (;;) can.wait(port.turn(device.node()));             //
-//     in a task
+//     bool can_transmit(const canvoy::Frame& frame);  // yours; false: no room
+//     FreeRtosCan can(can_transmit);
+//     can.received_from_isr(frame);                 // in the interrupt of the driver
+//     BoardPort port(can);
+//     for (;;) can.wait(port.turn(device.node()));  // in a task
 #pragma once
 
 #include <FreeRTOS.h>
