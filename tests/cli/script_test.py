@@ -168,6 +168,19 @@ class Script(CommandTest):
         ):
             self.assert_refused(self.script(line + "\nsync\n"), USAGE, *parts)
 
+    def test_a_data_sheet_names_the_objects_of_its_node_in_all_lines(self):
+        sheet = self.folder / "own.eds"
+        text = self.assert_done(run("eds", "export", "battery"))
+        sheet.write_text(text.replace("[6010]\nParameterName=temperature", "[2010]\nParameterName=warmth").replace("=0x6010", "=0x2010"))
+        lines = "read 10 temperature --profile 418\nread 0Ah warmth\n"
+        for said in (str(sheet), f"10={sheet}", f"0x0A={sheet}"):
+            result = self.script(lines, "--eds", said)
+            self.assertEqual(result.returncode, FAILED, said)
+            self.assertIn("1 of 2 lines passed, 1 failed", result.stdout)
+            self.assertIn("06020000h", result.stdout)  # the battery does not have 2010h
+        for others in ((), ("--eds", f"11={sheet}"), ("--eds", f"pump={sheet}")):
+            self.assertEqual(self.script(lines, *others).returncode, USAGE, others)
+
     def test_nothing_is_done_where_a_line_is_none(self):
         for line, *parts in (
             ("raed 10 1017", "'raed'", "did you mean 'read'?"),

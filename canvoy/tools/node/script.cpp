@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <functional>
 #include <iostream>
@@ -30,6 +31,7 @@ namespace {
 struct ScriptOptions : AskOptions {
   std::string file = {};
   std::string junit = {};
+  std::vector<std::string> sheets = {};  ///< FILE, or NODE=FILE
   bool keeps_going = false;
 };
 
@@ -41,6 +43,39 @@ std::vector<std::string> buses_of(const ScriptOptions& options) {
     if (comma == std::string_view::npos) return buses;
     rest.remove_prefix(comma + 1);
   }
+}
+
+bool is_node(const std::string& word, NodeId node) {
+  try {
+    return parse_node_id(word) == node;
+  } catch (const UsageError&) {
+    return false;  // the verb of the line refuses it
+  }
+}
+
+/// The data sheet for a node as a line has it: of this node, else of all. Empty if there is none.
+std::string sheet_of(const std::vector<std::string>& sheets, const std::string& node) {
+  std::string of_all;
+  for (const std::string& sheet : sheets) {
+    const std::size_t equals = sheet.find('=');
+    if (equals == std::string::npos) {
+      of_all = sheet;
+    } else if (is_node(node, parse_node_id(sheet.substr(0, equals)))) {
+      return sheet.substr(equals + 1);
+    }
+  }
+  return of_all;
+}
+
+/// Adds the data sheet to a line whose verb takes one and that names none. `words` are verb, bus,
+/// node and so on.
+void add_sheet(std::vector<std::string>& words, const std::vector<std::string>& sheets) {
+  constexpr std::array<std::string_view, 4> verbs = {"read", "write", "expect", "pdo"};
+  constexpr std::array<std::string_view, 2> own = {"--eds", "--profile"};
+  const bool takes_it = words.size() > 2 && std::ranges::find(verbs, words.front()) != verbs.end();
+  if (!takes_it || std::ranges::find_first_of(words, own) != words.end()) return;
+  const std::string sheet = sheet_of(sheets, words[2]);
+  if (!sheet.empty()) words.insert(words.end(), {"--eds", sheet});
 }
 
 /// A line, and its parsed verb, before it is run.
@@ -73,6 +108,7 @@ class ScriptLine {
     if (!is_named) words.insert(words.begin() + 1, options.bus);
     order_words(words);
     words = with_known_options(std::move(words), line_);
+    add_sheet(words, options.sheets);
     if (options.json) words.emplace_back("--json");
     using Kind = CommandLine::Outcome::Kind;
     const CommandLine::Outcome outcome = line_.parse(std::move(words));
@@ -241,6 +277,11 @@ void add_script(Verb& app, Sessions& sessions) {
        required},
       {"--junit", options->junit, "write a report, as JUnit has it, into this file"},
       {"--keep-going", options->keeps_going, "also behind a line that has failed"},
+      {"--eds", options->sheets,
+       "the data sheet of a node (10=pump.eds), or of all (pump.eds), for the lines of read, "
+       "write, "
+       "expect and pdo that name none",
+       one_each},
   });
   options->add_json(command);
   command.add_examples(
