@@ -1,7 +1,9 @@
 #include "canvoy/sim/duration_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace canvoy {
 
@@ -20,9 +22,24 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// Other spellings; `m` is none, since it may be a minute or a thousandth.
+constexpr std::array other_units{Suffix{"usec", 1},
+                                 Suffix{"msec", 1'000},
+                                 Suffix{"sec", 1'000'000},
+                                 Suffix{"secs", 1'000'000},
+                                 Suffix{"second", 1'000'000},
+                                 Suffix{"seconds", 1'000'000},
+                                 Suffix{"mins", 60'000'000},
+                                 Suffix{"minute", 60'000'000},
+                                 Suffix{"minutes", 60'000'000},
+                                 Suffix{"hour", 3'600'000'000},
+                                 Suffix{"hours", 3'600'000'000}};
+
 std::int64_t unit_of(std::string_view name) {
-  for (const Suffix& unit : units) {
-    if (unit.name == name) return unit.microseconds;
+  for (const std::span<const Suffix> known :
+       {std::span<const Suffix>(units), std::span<const Suffix>(other_units)}) {
+    const auto unit = std::ranges::find(known, name, &Suffix::name);
+    if (unit != known.end()) return unit->microseconds;
   }
   return 0;
 }
@@ -88,6 +105,7 @@ std::optional<Duration> parse_duration(std::string_view text) {
 }
 
 std::string written(Duration duration) {
+  if (duration == Duration{}) return "0s";
   const Suffix* exact = &units.front();
   for (const Suffix& unit : units) {
     if (duration.count() % unit.microseconds == 0) exact = &unit;

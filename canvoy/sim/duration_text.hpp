@@ -22,7 +22,7 @@ inline constexpr std::string_view duration_units = "us, ms, s, min or h";
 std::optional<Duration> parse_duration(std::string_view text);
 
 /// Text that parse_duration() reads as this duration, in the largest unit that expresses it
-/// exactly: `90s`, `8h`.
+/// exactly: `90s`, `8h`; none is `0s`.
 std::string written(Duration duration);
 
 /// The duration in seconds, for formulas.

@@ -16,6 +16,15 @@ TEST(DurationTextTest, ReadsEachUnit) {
   EXPECT_EQ(parse_duration("1 min 30 s"), 90s);
 }
 
+TEST(DurationTextTest, ReadsUnitsInFull) {
+  EXPECT_EQ(parse_duration("2sec"), 2s);
+  EXPECT_EQ(parse_duration("2 seconds"), 2s);
+  EXPECT_EQ(parse_duration("1 minute 30 secs"), 90s);
+  EXPECT_EQ(parse_duration("8hours"), 8h);
+  EXPECT_EQ(parse_duration("5msec"), 5ms);
+  EXPECT_FALSE(parse_duration("5m")) << "a minute, or a thousandth";
+}
+
 TEST(DurationTextTest, ReadsFractions) {
   EXPECT_EQ(parse_duration("1.5min"), 90s);
   EXPECT_EQ(parse_duration("0.25h"), 15min);
@@ -33,6 +42,7 @@ TEST(DurationTextTest, ReadsSeveralUnitsTheLargestFirst) {
 
 TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
   EXPECT_EQ(written(8h), "8h");
+  EXPECT_EQ(written(0h), "0s") << "no unit is the largest";
   EXPECT_EQ(written(90min), "90min");
   EXPECT_EQ(written(30s), "30s");
   EXPECT_EQ(written(1500ms), "1500ms");
@@ -42,7 +52,7 @@ TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
 TEST(DurationTextTest, RefusesWhatIsNoDuration) {
   for (const char* text :
        {"",     "8",         "h",    "8  h",    " 8h",  "8h ",         "-8h",   "+8h",
-        ".5h",  "5.h",       "1e3s", "8hours",  "8H",   "8.5.5h",      "0x10s", "m",
+        ".5h",  "5.h",       "1e3s", "8hourz",  "8H",   "8.5.5h",      "0x10s", "m",
         "8h30", "8h  30min", "8h ",  "30min8h", "8h8h", "8h and 30min"}) {
     EXPECT_FALSE(parse_duration(text)) << text;
   }

@@ -72,7 +72,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
 });
 
 static_assert(std::ranges::all_of(verb_entries, [](const VerbEntry& verb) {
-  return std::ranges::find(verb_names, verb.name) != verb_names.end();
+  return std::ranges::find(verb_words, verb.name, &VerbWords::name) != verb_words.end();
 }));
 
 /// Adds only the called verb if it is unambiguous: describing all of them takes longer than most of

@@ -169,7 +169,11 @@ class FirstLines(CommandTest):
             ((), ("which verb?", "canvoy --help")),
             (("decode", log, "-t", "EMCY"), ("'-t' is not known here; did you mean '--transfers'?",)),
             (("decode", log, "--dbc", "a.dbc"), ("--eds 10=pump.eds",)),
-            (("decode", log, "--parquet"), ("--parquet: its value is missing",)),
+            (("decode", log, "--parquet"), ("--parquet: its value is missing, as in canvoy decode bus.log --parquet values.parquet",)),
+            (("decode", log, "--hex", "--json"), (f"without it: canvoy decode {log} --json; see canvoy decode --help",)),
+            (("stats", log, "--csv"), (f"without it: canvoy stats {log}; see",)),
+            (("eds", "convert", "pump.eds"), (": canvoy eds convert pump.eds pump.xdd; see canvoy eds convert --help",)),
+            (("doctor", log, "--node", "10"), ("which profile has node 10? --node 10=418",)),
             (("run", "charger", "--for", "10"), ("'10' has no unit: 10ms, 10s or 10min",)),
             (("read", "can0", "10", "1017", "--timeout", "2000000h"), ("'2000000h' is more than a hundred years",)),
             (("nmt", "can0", "start"), ("which node? canvoy nmt can0 10 start, or canvoy nmt can0 all start",)),
@@ -208,6 +212,15 @@ class FirstLines(CommandTest):
         with sqlite3.connect(path) as database:
             database.execute("CREATE TABLE people(name)")
         self.assert_refused(run("decode", path), FAILED, "it has no table 'messages', only people")
+
+    def test_lines_for_programs_go_into_a_file(self):
+        log = self.path("a.log")
+        for option in ("--json", "--csv"):
+            out = self.folder / "out.txt"
+            self.assertEqual(self.assert_done(run("decode", log, option, "--out", str(out))), "")
+            self.assertEqual(out.read_text(), self.assert_done(run("decode", log, option)))
+        self.assert_refused(run("decode", log, "--json", "--out", log), USAGE, "is the log itself")
+        self.assertEqual(pathlib.Path(log).read_text(), LOG)
 
     def test_values_are_a_parquet_file(self):
         table = self.folder / "a.parquet"

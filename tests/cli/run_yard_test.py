@@ -146,7 +146,7 @@ class RunYard(CommandTest):
             ("[yard]\n[[vehicle]]\nbay = 2\n", "bay 2", "bays 1 to 1"),
             ('[yard]\n[[vehicle]]\narrives = "2h"\nleaves = "1h"\n', "leaves before it arrives"),
             ('[yard]\n[[vehicle]]\nreturns = "1h"\n', "returns before it leaves"),
-            ('[yard]\n[[vehicle]]\narrives = "0s"\nleaves = "0s"\n', "leaves: 0h is too short"),
+            ('[yard]\n[[vehicle]]\narrives = "0s"\nleaves = "0s"\n', "leaves: 0s is too short"),
             ('[yard]\nbattery = ["plain", "plain"]\n', "2 kinds of batteries for 1 bay:"),
             ("[yard]\nbatteries = 2\n[[vehicle]]\n", "2 batteries and 1 vehicles"),
             ("[battery]\nid = 7\n[yard]\nchargers = 3\none_bus = true\n", "on one bus, 3 chargers"),

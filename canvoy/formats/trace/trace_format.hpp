@@ -70,6 +70,10 @@ std::span<const TraceFormat* const> trace_formats();
 
 /// The format for the ending of a file name, with or without `.gz`; for CSV that of python-can.
 std::optional<TraceFormat> trace_format_of(std::string_view path);
+/// True if the file name has the ending of a format, with or without `.gz`.
+inline bool names_trace(std::string_view path) {
+  return trace_format_of(path).has_value();
+}
 /// True if a file of that name is to be compressed with gzip.
 bool names_gzip(std::string_view path);
 

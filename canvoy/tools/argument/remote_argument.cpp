@@ -40,8 +40,7 @@ bool is_of_unknown_kind(std::string_view bus) {
 }
 /// The path of a log, which is refused when the bus is opened.
 bool is_path(std::string_view text) {
-  return text.starts_with('/') || text.starts_with('.') ||
-         formats::trace_format_of(text).has_value();
+  return text.starts_with('/') || text.starts_with('.') || formats::names_trace(text);
 }
 
 }  // namespace

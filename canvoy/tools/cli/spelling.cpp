@@ -18,6 +18,15 @@ bool is_same_letter(char a, char b) {
 
 }  // namespace
 
+bool is_listed(std::string_view word, std::string_view list) {
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(' '), list.size());
+    if (list.substr(0, end) == word) return true;
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return false;
+}
+
 std::size_t distance(std::string_view a, std::string_view b) {
   // The last three rows of the table with [i][j] for the first letters of both.
   std::vector<std::size_t> before(b.size() + 1);

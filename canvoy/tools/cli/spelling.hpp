@@ -14,6 +14,9 @@ constexpr char in_lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// True if the word is one of a list, which blanks separate.
+bool is_listed(std::string_view word, std::string_view list);
+
 /// Number of letters to insert, delete, replace or swap with a neighbour to turn one word into the
 /// other, ignoring case. Cost: product of the lengths.
 std::size_t distance(std::string_view a, std::string_view b);

@@ -197,27 +197,104 @@ std::string in_its_place(std::string_view option) {
          "DBC";
 }
 
-/// CLI11 reports missing words before superfluous ones, which are usually the same word misspelled.
-std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  const int code = error.get_exit_code();
-  const bool is_unknown =
-      !unknown.empty() && (code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
-                           code == static_cast<int>(CLI::ExitCodes::ExtrasError));
-  const Understood verb = understood(app);
-  if (!is_unknown) {
-    return fmt::format("{}; see {} --help", in_plain_words(first_line(error.what())), verb.text);
+// The line to type in place of one that is refused
+
+using Words = std::vector<std::string>;
+
+/// A word as a shell needs it.
+std::string quoted(const std::string& word) {
+  const bool is_plain =
+      !word.empty() && word.find_first_of(" '\"<>|&;()*?$#!\\") == std::string::npos;
+  const bool is_frame =
+      word.find_first_of(" '\"<>|&;()*?$!\\") == std::string::npos && word[0] != '#';
+  return is_plain || is_frame ? word : fmt::format("'{}'", word);
+}
+
+std::string line_of(const Words& words) {
+  std::string line = "canvoy";
+  for (const std::string& word : words) line += ' ' + quoted(word);
+  return line;
+}
+
+/// The first example of the verb that has this in it; empty: none has.
+std::string example_with(const CLI::App& verb, std::string_view part) {
+  std::istringstream lines(verb.get_footer());
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos || line.compare(begin, 7, "canvoy ") != 0) continue;
+    if ((line + ' ').find(fmt::format(" {} ", part)) != std::string::npos)
+      return line.substr(begin);
   }
+  return {};
+}
+
+/// The words without those that are not known; nothing else is taken out.
+Words without(Words words, const Words& unknown) {
+  for (const std::string& each : unknown) {
+    const auto found = std::ranges::find(words, each);
+    if (found != words.end()) words.erase(found);
+  }
+  return words;
+}
+
+/// The same words with the verb, one by one, of an example from the end of what was typed on:
+/// `configure can0 10` as `configure can0 10 battery.dcf`.
+std::string completed(const Words& words, const CLI::App& verb) {
+  std::string example = example_with(verb, verb.get_name());
+  if (example.empty()) return {};
+  std::istringstream parts(example.substr(example.find(' ') + 1));
+  Words made;
+  for (std::string part; parts >> part;) {
+    if (part.starts_with('-')) break;
+    made.push_back(std::move(part));
+  }
+  std::size_t places = 0;
+  while (places < words.size() && !words[places].starts_with('-')) ++places;
+  if (made.size() <= places) return {};
+  std::copy_n(words.begin(), places, made.begin());
+  made.insert(made.end(), words.begin() + static_cast<std::ptrdiff_t>(places), words.end());
+  return line_of(made);
+}
+
+/// Of a line in which all is known: a word or a value is missing, or a value is none.
+std::string refusal_of_known(const Understood& verb, const CLI::ParseError& error,
+                             const Words& words) {
+  const std::string text = in_plain_words(first_line(error.what()));
+  std::string line;
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
+    line = completed(words, *verb.app);
+    if (!line.empty()) line = ": " + line;
+  } else if (text.starts_with("--")) {
+    line = example_with(*verb.app, text.substr(0, text.find_first_of(": ")));
+    if (!line.empty()) line = ", as in " + line;
+  }
+  return fmt::format("{}{}; see {} --help", text, line, verb.text);
+}
+
+/// CLI11 reports missing words before superfluous ones, which are usually the same word misspelled.
+std::string refusal(const CLI::App& app, const CLI::ParseError& error, const Words& words) {
+  const Words unknown = app.remaining(true);
+  const int code = error.get_exit_code();
+  const bool is_missing = code == static_cast<int>(CLI::ExitCodes::RequiredError);
+  const bool is_unknown =
+      !unknown.empty() && (is_missing || code == static_cast<int>(CLI::ExitCodes::ExtrasError));
+  const Understood verb = understood(app);
+  if (!is_unknown) return refusal_of_known(verb, error, words);
   const std::string word = first_line(unknown.front());
   const std::string name = word.substr(0, word.find('='));
   if (const std::string other = in_its_place(name); !other.empty()) {
     return fmt::format("'{}' is not known here: {}", name, other);
   }
-  const std::vector<std::string> known = words_known_to(*verb.app, word.starts_with('-'));
+  const Words known = words_known_to(*verb.app, word.starts_with('-'));
   std::string meant = meant_by_letter(name, known);
   if (meant.empty()) meant = did_you_mean(name, known);
-  return fmt::format("'{}' is not known here{}{} {} --help", word, meant,
-                     meant.empty() ? "; see" : " See", verb.text);
+  if (!meant.empty()) {
+    return fmt::format("'{}' is not known here{} See {} --help", word, meant, verb.text);
+  }
+  const bool is_whole = !is_missing && verb.app != &app;
+  return fmt::format("'{}' is not known here{}; see {} --help", word,
+                     is_whole ? "; without it: " + line_of(without(words, unknown)) : "",
+                     verb.text);
 }
 
 /// End of a line of at most `room` characters: after its last blank, or within a long word after
@@ -405,6 +482,7 @@ void CommandLine::take_options_anywhere() {
 
 CommandLine::Outcome CommandLine::parse(std::vector<std::string> words, std::size_t columns) {
   const HelpLayout layout = layout_for(columns);
+  const std::vector<std::string> typed = words;
   app_->get_formatter()->column_width(layout.descriptions);
   try {
     std::ranges::reverse(words);  // in the order that CLI11 expects
@@ -412,7 +490,7 @@ CommandLine::Outcome CommandLine::parse(std::vector<std::string> words, std::siz
     chosen_->when_parsed();
     return {Outcome::Kind::understood};
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error)};
+    if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error, typed)};
     std::ostringstream help;
     app_->exit(error, help);
     return {Outcome::Kind::answered, wrapped_help(help.str(), layout)};

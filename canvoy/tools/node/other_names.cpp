@@ -7,14 +7,15 @@
 #include <array>
 #include <optional>
 
-#include "canvoy/profiles/registry.hpp"
+#include "canvoy/formats/trace/trace_format.hpp"
+#include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/other_programs.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
 #include "canvoy/tools/node/word_order.hpp"
+#include "canvoy/tools/play/world.hpp"
 
 namespace canvoy::tools {
 
@@ -22,97 +23,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What other tools call a verb, or what is typed for one of ours.
-struct OtherName {
-  std::string_view name;
-  std::string_view verb;
-  bool is_told = false;  ///< it may mean others as well: the line is told, not run
-};
-constexpr auto other_names = std::to_array<OtherName>({
-    {"dump", "monitor"},
-    {"listen", "monitor"},
-    {"sniff", "monitor"},
-    {"watch", "monitor"},
-    {"logs", "monitor"},
-    {"frames", "monitor"},
-    {"trace", "monitor"},
-    {"spy", "monitor"},
-    {"follow", "monitor"},
-    {"traffic", "monitor"},
-    {"tail", "monitor"},
-    {"cat", "decode"},
-    {"head", "decode"},
-    {"parse", "decode"},
-    {"print", "decode"},
-    {"open", "view"},
-    {"analyze", "doctor"},
-    {"analyse", "doctor"},
-    {"diagnose", "doctor"},
-    {"summary", "stats"},
-    {"summarize", "stats"},
-    {"config", "configure"},
-    {"apply", "configure"},
-    {"load-dcf", "configure"},
-    {"list", "scan"},
-    {"find-nodes", "scan"},
-    {"identify", "scan"},
-    {"ls", "scan"},
-    {"ps", "scan"},
-    {"who", "scan"},
-    {"detect", "scan"},
-    {"nodes", "scan"},
-    {"ping", "scan"},
-    {"status", "scan"},
-    {"discover", "scan"},
-    {"diff", "eds diff"},
-    {"compare", "eds diff"},
-    {"validate", "eds check"},
-    {"lint", "eds check"},
-    {"verify", "eds check"},
-    {"info", "eds check", true},
-    {"show", "eds check", true},
-    {"convert", "convert-log"},
-    {"simulate", "run", true},
-    {"sim", "run", true},
-    {"emulate", "run", true},
-    {"start", "nmt"},
-    {"reset", "nmt"},
-    {"log", "record", true},
-    {"capture", "record"},
-    {"factory-reset", "restore"},
-    {"defaults", "restore"},
-    {"play", "replay"},
-    {"cansend", "send"},
-    {"get", "read"},
-    {"upload", "read"},
-    {"sdo", "read", true},
-    {"r", "read"},
-    {"request", "read"},
-    {"query", "read"},
-    {"peek", "read"},
-    {"set", "write"},
-    {"w", "write"},
-    {"poke", "write"},
-    {"download", "write", true},
-    {"test", "check", true},
-    {"flash", "program"},
-    {"serve", "view"},
-    {"web", "view"},
-    {"statistics", "stats"},
-    {"dbc", "export dbc"},
-    {"lookup", "explain"},
-    {"error", "explain"},
-    {"abort", "explain"},
-    {"errno", "explain"},
-    {"what", "explain"},
-    {"find", "search"},
-    {"od", "browse"},
-    {"objects", "browse"},
-    {"dictionary", "browse"},
-});
-
-constexpr auto world_words =
-    std::to_array<std::string_view>({"charger", "lift", "taxi", "police", "bus", "excavator"});
 /// Words for what a verb works on, in front of the verb: `sdo read`, `node scan`.
 constexpr auto nouns =
     std::to_array<std::string_view>({"sdo", "od", "object", "bus", "can", "node", "nodes",
@@ -129,8 +39,16 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> na
   return std::ranges::find(names, word) != names.end();
 }
 
+/// The verb that others call so; null where nobody does.
+const VerbWords* verb_called(std::string_view word) {
+  const auto* const found = std::ranges::find_if(verb_words, [word](const VerbWords& verb) {
+    return is_listed(word, verb.others) || is_listed(word, verb.told);
+  });
+  return found == verb_words.end() ? nullptr : found;
+}
+
 bool is_other_name(std::string_view word) {
-  return std::ranges::find(other_names, word, &OtherName::name) != other_names.end();
+  return verb_called(word) != nullptr;
 }
 
 /// The words behind the first one.
@@ -155,33 +73,33 @@ void put_in(Words& words, std::size_t at, const std::string& word) {
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(std::min(at, words.size())), word);
 }
 
-/// Bus and node of options before the verb.
-struct FrontOptions {
-  std::optional<std::string> bus;
-  std::optional<std::string> node;
+/// What stands in front of the verb: places, and options with their values.
+struct Front {
+  Words places = {};
+  Words options = {};
 };
-FrontOptions take_front_options(Words& words) {
-  FrontOptions taken;
-  while (words.size() > 2 && words.front().starts_with('-')) {
-    const std::string& name = words[0];
-    const std::string& value = words[1];
-    if (is_one_of(name, {"-i", "-c", "-b", "--bus", "--interface", "--channel"}) &&
-        names_bus(value)) {
-      taken.bus = value;
-    } else if (is_one_of(name, {"-n", "--node", "--node-id"}) && find_node_id(value)) {
-      taken.node = value;
-    } else {
-      break;
-    }
-    words.erase(words.begin(), words.begin() + 2);
-  }
-  return taken;
-}
 
-/// Where the bus of a verb stands in the words.
-std::size_t bus_at(const Words& words) {
-  if (is_one_of(words.front(), {"replay", "canplayer", "export", "eds"})) return 2;
-  return is_one_of(words.front(), {"device"}) ? count_places(words) + 1 : 1;
+/// The number of words there that belong in front of a verb; 0: the verb stands there.
+std::size_t take_front(const Words& words, std::size_t at, Front& front) {
+  const std::string& word = words[at];
+  const bool has_value = at + 1 < words.size();
+  if (word.starts_with('-') && has_value) {
+    const std::string& value = words[at + 1];
+    const bool is_node = is_one_of(word, {"-n", "--node", "--node-id"}) && find_node_id(value);
+    if (is_node || names_bus(value)) {
+      front.places.push_back(value);
+      return 2;
+    }
+    const bool takes_value = is_one_of(word, {"--colour", "--color", "--network"});
+    front.options.push_back(word);
+    if (takes_value) front.options.push_back(value);
+    return takes_value ? 2 : 1;
+  }
+  const bool is_verb = is_verb_name(word) || is_other_name(word);
+  // sim lift: run lift
+  const bool is_place = !is_verb && (names_bus(word) || find_node_id(word));
+  if (is_place) front.places.push_back(word);
+  return is_place ? 1 : 0;
 }
 
 // Names that depend on what stands behind them
@@ -194,9 +112,9 @@ bool has_node(const Words& words) {
 void leave_out_nouns(Words& words) {
   const bool has_noun = words.size() > 1 && std::ranges::find(nouns, words[0]) != nouns.end() &&
                         (is_verb_name(words[1]) || is_other_name(words[1]) || words[1] == "write");
-  if (has_noun) words.erase(words.begin());
+  if (has_noun) erase_words(words, 0);
   const bool is_list = words.size() > 1 && is_one_of(words[1], {"list", "ls"});
-  if (is_list && words[0] == "profile") words.erase(words.begin() + 1);
+  if (is_list && words[0] == "profile") erase_words(words, 1);
   if (is_list && words[0] == "device") words[1] = "--list";
 }
 
@@ -243,7 +161,7 @@ void leave_out_names_of_places(Words& words) {
     const bool is_name = explains ? is_in(codes, words[at]) : is_in(places, words[at]);
     // The last word is a value; `nmt can0 10 reset node` has a command.
     const bool is_value = at + 1 == words.size() || words[at - 1] == "reset";
-    if (is_name && !is_value) words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+    if (is_name && !is_value) erase_words(words, at);
   }
 }
 
@@ -295,22 +213,23 @@ bool use_verb_of_file(Words& words) {
   if (words.size() < 2) return false;
   const std::string name = words.front();
   const std::string& first = words[1];
-  const bool is_world =
-      std::ranges::find(world_words, first) != world_words.end() || first.ends_with(".toml");
+  const bool is_world = first.ends_with(".toml") ||
+                        std::ranges::find(worlds(), first, &WorldEntry::name) != worlds().end();
   if (is_one_of(name, {"simulate", "sim", "emulate"})) {
     // A bus to be put on, or a network to be played.
     words.front() = is_world && !names_bus(words.back()) ? "run" : "device";
   } else if (name == "log" && count_places(words) == 2 && names_bus(first)) {
     words.front() = "record";
-  } else if ((name == "log" && is_log_name(first)) ||
+  } else if ((name == "log" && formats::names_trace(first)) ||
              (name == "explain" && first.find('#') != std::string::npos)) {
     words.front() = "decode";
   } else if (is_one_of(name, {"filter", "grep"}) && count_places(words) == 2 &&
-             (is_log_name(first) || is_log_name(words[2]))) {
-    const bool is_log_behind = !is_log_name(first);  // as grep has it
+             (formats::names_trace(first) || formats::names_trace(words[2]))) {
+    const bool is_log_behind = !formats::names_trace(first);  // as grep has it
     words = line({"decode", words[is_log_behind ? 2 : 1], "--filter", words[is_log_behind ? 1 : 2]},
                  behind(words, 3));
-  } else if (name == "export" && first == "csv" && words.size() > 2 && is_log_name(words[2])) {
+  } else if (name == "export" && first == "csv" && words.size() > 2 &&
+             formats::names_trace(words[2])) {
     words = line({"decode", words[2], "--csv"}, behind(words, 3));
   } else if (name == "search" && words.size() == 2 && first.starts_with("0x")) {
     words.front() = "explain";
@@ -332,13 +251,13 @@ bool use_verb_of_file(Words& words) {
 void join_nmt(Words& words) {
   if (words.size() > 1 && is_nmt_word(words[0] + '-' + words[1])) {
     words[0] += '-' + words[1];
-    words.erase(words.begin() + 1);
+    erase_words(words, 1);
   }
   if (words.front() != "reset") return;
   for (std::size_t at = 1; at <= count_places(words); ++at) {
     if (!is_nmt_word("reset-" + words[at])) continue;
     words[0] += '-' + words[at];
-    words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+    erase_words(words, at);
     return;
   }
 }
@@ -349,8 +268,8 @@ void tell_by_kind(const Words& words) {
   const std::string& name = words.front();
   const std::string& thing = words[1];
   const bool asks = is_ask_verb(name);
-  std::vector<std::string> known(verb_names.begin(), verb_names.end());
-  known.insert(known.end(), {"read", "write", "nmt", "configure", "store", "restore", "send"});
+  std::vector<std::string> known;
+  for (const VerbWords& verb : verb_words) known.emplace_back(verb.name);
   const bool is_verb = is_verb_name(name) || is_other_name(name) || is_nmt_word(name);
   const bool is_typo = !is_verb && !did_you_mean(name, known).empty();
   if (is_typo || (is_verb && !asks)) return;
@@ -360,7 +279,7 @@ void tell_by_kind(const Words& words) {
     throw UsageError(
         fmt::format("{}; of {} there are {}", what, kind, fmt::format(fmt::runtime(lines), thing)));
   };
-  if (is_log_name(thing)) {
+  if (formats::names_trace(thing)) {
     tell("a log", "canvoy decode {0}, canvoy stats {0}, canvoy doctor {0} and canvoy view {0}");
   }
   if (asks) return;
@@ -379,10 +298,9 @@ void tell_by_kind(const Words& words) {
 void use_own_name(Words& words) {
   join_nmt(words);
   const std::string typed = words.front();
-  const auto* const other =
-      std::ranges::find(other_names, is_nmt_word(typed) ? "start" : typed, &OtherName::name);
-  if (other == other_names.end()) return;
-  std::string_view verb = other->verb;
+  const VerbWords* const other = is_nmt_word(typed) ? verb_called("start") : verb_called(typed);
+  if (other == nullptr) return;
+  std::string_view verb = other->name;
   if (verb == "convert-log" && words.size() > 1 && is_sheet_name(words[1])) verb = "eds convert";
   Words meant = behind(words);
   if (verb == "nmt") put_in(meant, count_places(words), words.front());
@@ -391,7 +309,7 @@ void use_own_name(Words& words) {
   put_in(meant, 0, std::string(verb.substr(0, blank)));
   // A program has no index.
   const bool is_object = typed == "download" && count_places(words) > 3;
-  if (!other->is_told || is_object) {
+  if (!is_listed(typed, other->told) || is_object) {
     words = std::move(meant);
     return;
   }
@@ -406,41 +324,33 @@ std::string typed_line(const Words& words) {
 }
 
 bool is_verb_name(std::string_view word) {
-  return is_ask_verb(word) || std::ranges::find(verb_names, word) != verb_names.end();
+  return std::ranges::find(verb_words, word, &VerbWords::name) != verb_words.end();
 }
 
 bool is_sheet_name(std::string_view word) {
   return has_ending(word, {".eds", ".dcf", ".xdd", ".xdc", ".EDS", ".DCF"});
 }
 
-bool is_log_name(std::string_view word) {
-  return has_ending(word, {".log", ".asc", ".blf", ".trc", ".mf4", ".pcap", ".pcapng", ".gz"});
-}
-
-void use_bus_in_front(Words& words) {
+void put_verb_in_front(Words& words) {
   std::erase_if(words, is_loudness);
-  if (words.empty()) return;
-  const FrontOptions front = take_front_options(words);
-  if (front.node) put_in(words, 1, *front.node);
-  if (front.bus) put_in(words, bus_at(words), *front.bus);
-  const bool has_bus = names_bus(words.front()) && words.front() != "sim";  // sim lift: run lift
-  if (has_bus && words.size() == 1) {
+  Front front;
+  std::size_t at = 0;
+  while (at < words.size() && !is_one_of(words[at], {"--help", "-h", "--version"})) {
+    const std::size_t count = take_front(words, at, front);
+    if (count == 0) break;
+    at += count;
+  }
+  if (at == words.size()) {
+    if (front.places.empty() || !names_bus(front.places.front())) return;
     throw UsageError(
         fmt::format("which verb? canvoy monitor {0} shows its frames, canvoy scan {0} who is there",
-                    words.front()));
+                    front.places.front()));
   }
-  const bool is_name = is_verb_name(words.front()) || is_other_name(words.front());
-  if (!has_bus && (is_name || !find_node_id(words.front()))) return;
-  // The places in front of the verb: a bus, a node, or both.
-  const std::size_t most = has_bus && words.size() > 2 && find_node_id(words[1]) ? 2 : 1;
-  if (words.size() <= most) return;
-  std::rotate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(most),
-              words.begin() + static_cast<std::ptrdiff_t>(most) + 1);
-  const std::size_t at = has_bus ? bus_at(words) : 1;
-  if (at < 2) return;
-  const std::string bus = words[1];
-  words.erase(words.begin() + 1);
-  put_in(words, bus_at(words), bus);
+  if (at == 0) return;
+  Words meant = line({words[at]}, front.places);
+  meant.insert(meant.end(), words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end());
+  meant.insert(meant.end(), front.options.begin(), front.options.end());
+  words = std::move(meant);
 }
 
 void use_own_names(Words& words) {

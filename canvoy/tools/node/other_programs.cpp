@@ -11,8 +11,9 @@
 #include <span>
 #include <string_view>
 
+#include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
 
@@ -174,22 +175,8 @@ constexpr auto drivers = std::to_array<std::string_view>(
     {"socketcan", "pcan", "kvaser", "vector", "ixxat", "slcan", "virtual", "gs_usb", "usb2can",
      "systec", "neovi", "nican", "serial", "socketcand", "udp_multicast", "canalystii", "cantact",
      "etas", "seeedstudio"});
-
-void erase_two(Words& words, std::size_t at) {
-  const auto first = words.begin() + static_cast<std::ptrdiff_t>(at);
-  words.erase(first, first + 2);
-}
-
-/// The value of one of the options, which is taken out.
-std::optional<std::string> take_option(Words& words,
-                                       std::initializer_list<std::string_view> names) {
-  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
-    if (std::ranges::find(names, words[at]) == names.end()) continue;
-    std::string value = words[at + 1];
-    erase_two(words, at);
-    return value;
-  }
-  return std::nullopt;
+bool is_driver(std::string_view word) {
+  return std::ranges::find(drivers, word) != drivers.end();
 }
 
 }  // namespace
@@ -213,16 +200,10 @@ void use_program(Words& words) {
 }
 
 void use_python_can_options(Words& words) {
-  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
-    const bool is_interface =
-        words[at] == "-i" || words[at] == "--interface" || words[at] == "--bustype";
-    if (!is_interface || std::ranges::find(drivers, words[at + 1]) == drivers.end()) continue;
-    erase_two(words, at);
-    const auto channel = take_option(words, {"-c", "--channel"});
-    take_option(words, {"-b", "--bitrate"});  // of an interface of this machine: that of ip link
-    if (channel) words.insert(words.begin() + 1, *channel);
-    return;
-  }
+  if (!take_option(words, {"-i", "--interface", "--bustype"}, is_driver)) return;
+  const auto channel = take_option(words, {"-c", "--channel"});
+  take_option(words, {"-b", "--bitrate"});  // of an interface of this machine: that of ip link
+  if (channel) words.insert(words.begin() + 1, *channel);
 }
 
 }  // namespace canvoy::tools

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "canvoy/formats/trace/trace_format.hpp"
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/argument/bus_argument.hpp"
+#include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/argument/value_argument.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
-#include "canvoy/tools/node/other_names.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
@@ -28,98 +32,102 @@ bool is_type(std::string_view word) {
   return parse_type(word).has_value();
 }
 
-/// What other tools call an option or a place, without dashes and in small letters.
-struct OtherSpelling {
-  std::string_view typed;
+/// What others call an option or a place, without dashes and in small letters.
+struct OtherSpellings {
   std::string_view meant;                  ///< an option without its first dashes, or a place
+  std::string_view typed;                  ///< separated by blanks
   std::string_view in_front = {};          ///< of the value: `id=`
   bool (*of)(std::string_view) = nullptr;  ///< only of such a value
 };
 /// Of several meanings of a word, a verb has the first one that it knows.
-constexpr auto other_spellings = std::to_array<OtherSpelling>({
-    {"n", "count"},
-    {"c", "bus", "", names_bus},
-    {"c", "source", "", names_bus},
-    {"c", "count"},
-    {"n", "node-id", "", is_small_number},
-    {"n", "node", "", is_small_number},
-    {"limit", "count"},
-    {"head", "count"},
-    {"max", "count"},
-    {"num", "count"},
-    {"number", "count"},
-    {"frames", "count"},
-    {"f", "source", "", is_log_name},
-    {"f", "log", "", is_log_name},
-    {"f", "filter"},
-    {"y", "filter"},
-    {"from", "filter", "time>=", is_duration},
-    {"since", "filter", "time>=", is_duration},
-    {"start", "filter", "time>=", is_duration},
-    {"begin", "filter", "time>=", is_duration},
-    {"to", "filter", "time<=", is_duration},
-    {"until", "filter", "time<=", is_duration},
-    {"end", "filter", "time<=", is_duration},
-    {"ids", "filter", "id="},
-    {"cobid", "filter", "id="},
-    {"id", "node-id"},
-    {"id", "filter", "id="},
-    {"canid", "filter", "id="},
-    {"service", "filter", "service="},
-    {"object", "filter", "object="},
-    {"bus", "filter", "bus="},
-    {"j", "json"},
-    {"o", "out"},
-    {"w", "out"},
-    {"write", "out"},
-    {"output", "out"},
-    {"outfile", "out"},
-    {"to", "out"},
-    {"format", "out"},
-    {"node", "what"},
-    {"o", "to"},
-    {"out", "to"},
-    {"output", "to"},
-    {"i", "bus", "", names_bus},
-    {"i", "source", "", names_bus},
-    {"i", "log"},
-    {"r", "log"},
-    {"file", "log"},
-    {"infile", "log"},
-    {"file", "source"},
-    {"input", "log"},
-    {"i", "in"},
-    {"input", "in"},
-    {"d", "for"},
-    {"t", "type", "", is_type},
-    {"t", "for", "", is_duration},
-    {"duration", "for"},
-    {"time", "for"},
-    {"seconds", "for"},
-    {"period", "every"},
-    {"interval", "every"},
-    {"cycle", "every"},
-    {"cycletime", "every"},
-    {"period", "watch"},
-    {"interval", "watch"},
-    {"every", "watch"},
-    {"baud", "bit-rate"},
-    {"baudrate", "bit-rate"},
-    {"node", "node-id"},
-    {"nodeid", "node"},
-    {"save", "store"},
-    {"p", "web"},
-    {"port", "web"},
-    {"p", "listen"},
-    {"port", "listen"},
-    {"repeat", "loop"},
-    {"dryrun", "diff"},
-    {"index", "object"},
-    {"interface", "bus"},
-    {"channel", "bus"},
-    {"interface", "source"},
-    {"channel", "source"},
+constexpr auto other_spellings = std::to_array<OtherSpellings>({
+    {"bus", "c i", "", names_bus},
+    {"source", "c i", "", names_bus},
+    {"count", "n c limit head max num number frames"},
+    {"node-id", "n", "", is_small_number},
+    {"node", "n", "", is_small_number},
+    {"source", "f", "", formats::names_trace},
+    {"log", "f", "", formats::names_trace},
+    {"filter", "f y"},
+    {"filter", "from since start begin", "time>=", is_duration},
+    {"filter", "to until end", "time<=", is_duration},
+    {"filter", "ids cobid", "id="},
+    {"node-id", "id"},
+    {"filter", "id canid", "id="},
+    {"filter", "service", "service="},
+    {"filter", "object", "object="},
+    {"filter", "bus", "bus="},
+    {"json", "j"},
+    {"out", "o w write output outfile to format"},
+    {"what", "node"},
+    {"to", "o out output"},
+    {"log", "i r file infile input"},
+    {"source", "file"},
+    {"in", "i input"},
+    {"type", "t", "", is_type},
+    {"for", "t", "", is_duration},
+    {"for", "d duration time seconds"},
+    {"every", "period interval cycle cycletime"},
+    {"watch", "period interval every"},
+    {"bit-rate", "baud baudrate"},
+    {"node-id", "node"},
+    {"node", "nodeid"},
+    {"store", "save"},
+    {"web", "p port"},
+    {"listen", "p port"},
+    {"loop", "repeat"},
+    {"diff", "dryrun"},
+    {"object", "index"},
+    {"bus", "interface channel"},
+    {"source", "interface channel"},
 });
+
+bool is_node(std::string_view word) {
+  return word == "all" || names_node(word) ||
+         (word.find(':') != std::string_view::npos &&
+          is_small_number(word.substr(0, word.find(':'))));
+}
+bool is_pdo(std::string_view word) {
+  const std::string_view kind = word.substr(0, 4);
+  return (kind == "tpdo" || kind == "rpdo") && is_small_number(word.substr(4));
+}
+bool is_log(std::string_view word) {
+  std::error_code none;
+  return word == "-" || formats::names_trace(word) || std::filesystem::exists(word, none);
+}
+Words parts_of(std::string_view list) {
+  Words parts;
+  while (true) {
+    const std::size_t comma = list.find(',');
+    parts.emplace_back(list.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    list.remove_prefix(comma + 1);
+  }
+}
+/// `1000,1001`, `temperature,voltage`; a sub-index behind a comma is shorter, and buses are no
+/// list.
+bool is_list_of_names(std::string_view word) {
+  constexpr std::size_t name_min = 3;
+  const bool is_text = word.find_first_of(" ='\"#") != std::string_view::npos;
+  return word.find(',') != std::string_view::npos && !is_text && !names_bus(word) &&
+         std::ranges::all_of(parts_of(word),
+                             [](const std::string& part) { return part.size() >= name_min; });
+}
+bool is_table(std::string_view word) {
+  return word == "dbc" || word == "csv" || word == "html";
+}
+
+/// Places whose words are told from others by their form.
+struct PlaceForm {
+  std::string_view place;
+  bool (*fits)(std::string_view word);
+};
+constexpr auto place_forms = std::to_array<PlaceForm>({{"bus", names_bus},
+                                                       {"node", is_node},
+                                                       {"state", is_nmt_word},
+                                                       {"pdo", is_pdo},
+                                                       {"log", is_log},
+                                                       {"format", is_table}});
 
 /// `--Bit_Rate` as `bitrate`.
 std::string plain_option(std::string_view word) {
@@ -193,9 +201,12 @@ class TypedOptions {
   /// Nothing where the verb understands all of it as it is.
   std::optional<Words> meant() {
     claim_further_words();
+    part_lists();
+    const bool is_ordered = named_.empty() && order_by_form();
     if (!is_changed_ || !place_named_words()) return std::nullopt;
     words_.insert(words_.end(), loose_.begin(), loose_.end());
     words_.insert(words_.end(), said_.begin(), said_.end());
+    if (is_ordered) order_words(words_);
     return words_;
   }
 
@@ -284,8 +295,9 @@ class TypedOptions {
       said_.push_back("--" + *value);
       return next;
     }
-    for (const OtherSpelling& each : other_spellings) {
-      if (each.typed != plain || (each.of != nullptr && !(value && each.of(*value)))) continue;
+    for (const OtherSpellings& each : other_spellings) {
+      if (!is_listed(plain, each.typed) || (each.of != nullptr && !(value && each.of(*value))))
+        continue;
       const OptionInfo* const option = find_plain(plain_option(each.meant));
       if (option != nullptr) return take_as(*option, each.in_front, value, at, next);
       if (!is_place(each.meant) || !value) continue;
@@ -362,6 +374,61 @@ class TypedOptions {
   }
   bool is_said(std::string_view option) const {
     return std::ranges::find(said_, option) != said_.end();
+  }
+
+  /// `1000,1001` where several objects may stand: each of them.
+  void part_lists() {
+    if (places_.empty() || !places_.back().takes_several) return;
+    Words parted;
+    for (std::size_t at = 0; at < loose_.size(); ++at) {
+      const bool is_list = at + 1 >= places_.size() && is_list_of_names(loose_[at]);
+      const Words parts = is_list ? parts_of(loose_[at]) : Words{loose_[at]};
+      is_changed_ = is_changed_ || is_list;
+      parted.insert(parted.end(), parts.begin(), parts.end());
+    }
+    loose_ = std::move(parted);
+  }
+
+  /// `configure can0 battery.dcf 10`: where a word has not the form of its place, and all of them
+  /// fit in one other order alone, that is meant. Where a second word might be the node, none is.
+  bool order_by_form() {
+    constexpr std::size_t words_max = 6;
+    if (places_.empty() || loose_.size() > words_max || fits(loose_)) return false;
+    std::vector<std::size_t> order(loose_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::optional<Words> found;
+    while (std::ranges::next_permutation(order).found) {
+      Words tried;
+      for (const std::size_t at : order) tried.push_back(loose_[at]);
+      if (!fits(tried)) continue;
+      if (found && formed(*found) != formed(tried)) return false;
+      if (!found) found = std::move(tried);
+    }
+    if (!found) return false;
+    loose_ = *std::move(found);
+    is_changed_ = true;
+    return true;
+  }
+  /// The form of the place at which a word stands; null: any word may stand there.
+  const PlaceForm* form_at(std::size_t at) const {
+    const auto* const form = std::ranges::find(
+        place_forms, places_[std::min(at, places_.size() - 1)].name, &PlaceForm::place);
+    return form == place_forms.end() ? nullptr : form;
+  }
+  bool fits(const Words& words) const {
+    for (std::size_t at = 0; at < words.size(); ++at) {
+      const PlaceForm* const form = form_at(at);
+      if (form != nullptr && !form->fits(words[at])) return false;
+    }
+    return true;
+  }
+  /// The words at places that have a form.
+  Words formed(const Words& words) const {
+    Words made;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+      if (form_at(at) != nullptr) made.push_back(words[at]);
+    }
+    return made;
   }
 
   /// Puts the words in the order of the places; false if one is missing before another.

@@ -113,6 +113,30 @@ TEST_F(TypedOptions, AFurtherWordIsWhatItsFormSays) {
   EXPECT_EQ(meant(objects), objects) << "several objects may stand there";
 }
 
+TEST_F(TypedOptions, WordsStandInAnyOrderThatTheirFormTells) {
+  EXPECT_EQ(meant({"read", "can0", "temperature", "10"}),
+            (Words{"read", "can0", "10", "temperature"}));
+  EXPECT_EQ(meant({"read", "can0", "1018", "1008", "10"}),
+            (Words{"read", "can0", "10", "1018", "1008"}));
+  EXPECT_EQ(meant({"eds", "read", "10", "can0"}), (Words{"eds", "read", "can0", "10"}));
+  const Words two_nodes = {"read", "can0", "1018", "5", "10"};
+  EXPECT_EQ(meant(two_nodes), two_nodes) << "either may be the node";
+  const Words fits = {"read", "can0", "10", "20"};
+  EXPECT_EQ(meant(fits), fits);
+  const Words no_node = {"read", "can0", "pump", "temperature"};
+  EXPECT_EQ(meant(no_node), no_node);
+}
+
+TEST_F(TypedOptions, AListWithCommasIsSeveralWords) {
+  EXPECT_EQ(meant({"read", "can0", "10", "1000,1001,1018"}),
+            (Words{"read", "can0", "10", "1000", "1001", "1018"}));
+  for (const Words& words : {Words{"read", "can0", "10", "0x1018,1"},
+                             Words{"read", "can0", "10", "TPDO mapping parameter, number"},
+                             Words{"monitor", "can0,can1"}}) {
+    EXPECT_EQ(meant(words), words);
+  }
+}
+
 TEST_F(TypedOptions, BitRatesAreReadInAnyForm) {
   for (const char* text : {"125", "125k", "125000", "125kbit/s", "0.125M"}) {
     EXPECT_EQ(bit_rate(text), 125U) << text;

@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 
+#include "canvoy/formats/trace/trace_format.hpp"
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
@@ -63,21 +64,6 @@ std::optional<BusPlace> bus_place(const Words& words) {
   return is_other ? std::nullopt : std::optional(*place);
 }
 
-/// `can0`, `vcan12`, `slcan0`: letters with "can" in them, and a number.
-bool looks_like_interface(std::string_view word) {
-  const std::size_t letters = word.find_last_not_of("0123456789");
-  return letters != std::string_view::npos && letters + 1 < word.size() &&
-         word.substr(0, letters + 1).ends_with("can");
-}
-
-bool is_interface(std::string_view word) {
-  constexpr std::size_t length_max = 15;
-  std::error_code none;
-  return !word.empty() && word.size() <= length_max && word.find('/') == std::string_view::npos &&
-         !word.starts_with('.') &&
-         std::filesystem::exists("/sys/class/net/" + std::string(word), none);
-}
-
 /// `180:780`: an identifier and a mask, as candump has it.
 bool is_can_id_mask(std::string_view word) {
   const std::size_t colon = word.find(':');
@@ -93,31 +79,34 @@ bool is_can_id_mask(std::string_view word) {
       fmt::format("which bus? {}; or export CANVOY_BUS=can0, and leave it out", typed_line(words)));
 }
 
-/// `--bus can0` of a verb whose bus is a word.
-std::optional<std::string> take_bus_option(Words& words) {
-  constexpr auto names =
-      std::to_array<std::string_view>({"--bus", "--interface", "--channel", "-i", "-c"});
-  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
-    if (std::ranges::find(names, words[at]) == names.end() || !names_bus(words[at + 1])) continue;
-    std::string bus = words[at + 1];
-    const auto option = words.begin() + static_cast<std::ptrdiff_t>(at);
-    words.erase(option, option + 2);
-    return bus;
+/// The bus stands where the verb has it, wherever it was typed: `lss scan can0`, `replay can0
+/// a.log`.
+void move_bus(Words& words, std::size_t at) {
+  const std::size_t places = count_places(words);
+  if (places < at || names_bus(words[at])) return;
+  for (std::size_t typed = 1; typed <= places; ++typed) {
+    if (!names_bus(words[typed])) continue;
+    const std::string bus = words[typed];
+    erase_words(words, typed);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), bus);
+    return;
   }
-  return std::nullopt;
 }
 
 /// The bus of the environment where none was said, and the line that was meant where that is not
 /// known either.
 void add_bus(Words& words, const BusPlace& place) {
   const char* const usual = std::getenv("CANVOY_BUS");
+  move_bus(words, place.at);
   const std::size_t places = count_places(words);
   const bool is_said = places >= place.at && names_bus(words[place.at]);
   if (is_said || places + 1 < place.at) return;
   const std::string first = places >= place.at ? words[place.at] : words.front();
   const bool is_file =
       first == "-" || first.find('/') != std::string::npos || first.find('.') != std::string::npos;
-  const std::optional<std::string> said = is_file ? std::nullopt : take_bus_option(words);
+  const std::optional<std::string> said =
+      is_file ? std::nullopt
+              : take_option(words, {"--bus", "--interface", "--channel", "-i", "-c"}, names_bus);
   if (said) {
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(place.at), *said);
     return;
@@ -140,13 +129,19 @@ void add_bus(Words& words, const BusPlace& place) {
   }
 }
 
-/// `device pump.eds` uses the bus of the environment.
+/// `device can0 pump.eds` is `device pump.eds can0`; without a bus, that of the environment is
+/// used.
 void add_device_bus(Words& words) {
   const char* const usual = std::getenv("CANVOY_BUS");
+  std::string bus = usual == nullptr ? "" : usual;
+  if (count_places(words) > 1 && names_bus(words[1])) {
+    bus = words[1];
+    erase_words(words, 1);
+  }
   const std::size_t places = count_places(words);
-  if (usual == nullptr || *usual == '\0' || places == 0 || names_bus(words[places])) return;
-  const std::size_t devices = places > 1 && find_node_id(words[places]) ? places - 1 : places;
-  words.insert(words.begin() + static_cast<std::ptrdiff_t>(devices) + 1, usual);
+  const auto last = words.begin() + static_cast<std::ptrdiff_t>(places) + 1;
+  if (bus.empty() || places == 0 || std::any_of(words.begin() + 1, last, names_bus)) return;
+  words.insert(places > 1 && find_node_id(words[places]) ? last - 1 : last, bus);
 }
 
 /// `can0,180:780`, as candump has it, is the bus and a filter.
@@ -200,7 +195,7 @@ void use_piped_input(Words& words) {
   const bool reads = std::ranges::find(readers, words.front()) != readers.end();
   const std::size_t places = count_places(words);
   const bool misses_log =
-      words.front() == "plot" ? places == 1 && !is_log_name(words[1]) : places == 0;
+      words.front() == "plot" ? places == 1 && !formats::names_trace(words[1]) : places == 0;
   if (!reads || !misses_log || !has_piped_input()) return;
   words.insert(words.begin() + 1, "-");
 }
@@ -222,15 +217,15 @@ void refuse_another_line(const Words& words) {
         fmt::format("{} canvoy {}", what, fmt::join({std::string_view(parts)...}, " ")));
   };
   const bool names_file = std::ranges::any_of(words, [](const std::string& word) {
-    return word.starts_with("-o") || word.starts_with("--o") || is_log_name(word);
+    return word.starts_with("-o") || word.starts_with("--o") || formats::names_trace(word);
   });
   if (verb == "record" && places == 1 && names_bus(words[1]) && !names_file) {
     refuse("which file is to be written?", verb, words[1], "night.log");
   }
-  if (verb == "convert-log" && words.size() == 2 && is_log_name(words[1])) {
+  if (verb == "convert-log" && words.size() == 2 && formats::names_trace(words[1])) {
     refuse("which file is to be written?", verb, words[1], "night.asc");
   }
-  if (verb == "report" && places == 1 && is_log_name(words[1]) && words.size() == 2) {
+  if (verb == "report" && places == 1 && formats::names_trace(words[1]) && words.size() == 2) {
     refuse("which file is to be written?", verb, words[1], "--out night.html");
   }
   if (verb == "pdo" && places == 2 && names_bus(words[1])) {
@@ -252,7 +247,7 @@ void refuse_another_line(const Words& words) {
   if (verb == "check" && places == 1 && is_sheet_name(words[1])) {
     refuse("a data sheet is checked by", "eds check", words[1]);
   }
-  if (verb == "export" && places == 2 && is_log_name(words[2])) {
+  if (verb == "export" && places == 2 && formats::names_trace(words[2])) {
     refuse("the values in a log are written by", "decode", words[2], "--csv");
   }
   const bool has_node_behind =
@@ -279,13 +274,6 @@ void refuse_another_line(const Words& words) {
 
 }  // namespace
 
-bool names_bus(std::string_view word) {
-  const std::string_view first = word.substr(0, word.find(','));
-  const std::string_view interface = first.substr(0, first.find('/'));
-  return first == "sim" || first.starts_with("udp:") || first.starts_with("tcp:") ||
-         looks_like_interface(interface) || is_interface(interface);
-}
-
 std::vector<std::string> typed_words(Words words) {
   if (words.empty()) {
     throw UsageError(
@@ -296,7 +284,7 @@ std::vector<std::string> typed_words(Words words) {
     words.erase(words.begin());
     words.emplace_back("--help");
   }
-  use_bus_in_front(words);
+  put_verb_in_front(words);
   use_own_names(words);
   if (words.front() == "device" && words.size() > 1) add_device_bus(words);
   use_node_behind_bus(words);

@@ -6,14 +6,9 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace canvoy::tools {
-
-/// True if the word can only be a bus: an address (`udp:`, `tcp:`, `sim`), several with commas, a
-/// network interface of this machine, or a name like those of CAN interfaces (`can0`, `vcan12`).
-bool names_bus(std::string_view word);
 
 /// `words` are those after the name of the program. Throws UsageError with the intended line.
 std::vector<std::string> typed_words(std::vector<std::string> words);

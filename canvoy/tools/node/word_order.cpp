@@ -12,7 +12,6 @@
 #include "canvoy/tools/argument/value_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
 
 namespace canvoy::tools {
 
@@ -45,16 +44,12 @@ bool join_index(Words& words, std::size_t at) {
   const std::string sub = sub_digits(words.at(at + 1));
   if (index.empty() || sub.empty()) return false;
   words[at] = index + ':' + sub;
-  words.erase(words.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  erase_words(words, at + 1);
   return true;
 }
 
 constexpr std::size_t node_at = 2;
 constexpr std::size_t object_at = 3;
-
-void erase_word(Words& words, std::size_t at) {
-  words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
-}
 
 /// `reset node`, `reset comm` and the like as one word, and the node in front of it.
 void order_nmt(Words& words) {
@@ -62,7 +57,7 @@ void order_nmt(Words& words) {
     const std::string joined = words[at] + '-' + words[at + 1];
     if (!is_nmt_word(joined)) continue;
     words[at] = joined;
-    erase_word(words, at + 1);
+    erase_words(words, at + 1);
   }
   if (count_places(words) != object_at) return;
   if (is_nmt_word(words[node_at]) && !is_nmt_word(words[object_at])) {
@@ -72,12 +67,11 @@ void order_nmt(Words& words) {
 
 void order_lss(Words& words) {
   if (count_places(words) < 2) return;
-  if (!names_bus(words[1]) && names_bus(words[2])) std::swap(words[1], words[2]);
   // `set node 20`, `get node` and `conf bitrate 250` as one word.
   for (const std::string_view first : {"set", "get", "conf", "configure", "inquire"}) {
     if (words[2] != first || count_places(words) < 3 || is_small_number(words[3])) continue;
     words[2] += '-' + words[3];
-    erase_word(words, 3);
+    erase_words(words, 3);
   }
   struct OtherCommand {
     std::string_view typed;
@@ -118,7 +112,7 @@ void take_type(Words& words) {
   for (std::size_t at = object_at + 1; !is_value && at <= count_places(words); ++at) {
     if (!parse_type(words[at]) || words[at].size() < 2) continue;
     words.insert(words.end(), {"--type", words[at]});
-    return erase_word(words, at);
+    return erase_words(words, at);
   }
 }
 
@@ -130,14 +124,14 @@ void join_value(Words& words) {
     words[object_at].resize(sign);
   }
   if (count_places(words) > object_at + 1 && words[object_at + 1] == "=") {
-    erase_word(words, object_at + 1);
+    erase_words(words, object_at + 1);
   }
   const std::size_t last = count_places(words);
   const bool has_unit = last > object_at + 1 && find_filter_unit(words[last]) &&
                         words[last].find_first_of("0123456789") == std::string::npos;
   if (!has_unit) return;
   words[last - 1] += ' ' + words[last];
-  erase_word(words, last);
+  erase_words(words, last);
 }
 
 void order_object(Words& words) {
@@ -159,7 +153,7 @@ void join_pdo(Words& words) {
   if (count_places(words) <= object_at || !is_small_number(words[object_at + 1])) return;
   if (!same_name(words[object_at], "tpdo") && !same_name(words[object_at], "rpdo")) return;
   words[object_at] += words[object_at + 1];
-  erase_word(words, object_at + 1);
+  erase_words(words, object_at + 1);
 }
 
 /// `123`, `0x123`, `123h` with three or eight digits; empty: no identifier.
@@ -202,7 +196,7 @@ void join_frame(Words& words) {
                                  words[object_at], id, bytes.substr(2), bytes));
   }
   words[node_at] = id + '#' + bytes;
-  words.erase(words.begin() + object_at, words.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  erase_words(words, object_at, last + 1 - object_at);
 }
 
 /// Bytes behind the error register are those of `--data`.
@@ -217,7 +211,7 @@ void join_emergency(Words& words) {
     bytes +=
         sub_digits(words[at]).size() == 1 ? '0' + sub_digits(words[at]) : sub_digits(words[at]);
   }
-  words.erase(words.begin() + data_at, words.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  erase_words(words, data_at, last + 1 - data_at);
   words.insert(words.end(), {"--data", bytes});
 }
 
@@ -230,6 +224,22 @@ void use_node_in_filter(Words& words) {
 }
 
 }  // namespace
+
+void erase_words(Words& words, std::size_t at, std::size_t count) {
+  const auto first = words.begin() + static_cast<std::ptrdiff_t>(at);
+  words.erase(first, first + static_cast<std::ptrdiff_t>(count));
+}
+
+std::optional<std::string> take_option(Words& words, std::initializer_list<std::string_view> names,
+                                       bool (*is_value)(std::string_view)) {
+  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
+    if (std::ranges::find(names, words[at]) == names.end() || !is_value(words[at + 1])) continue;
+    std::string value = words[at + 1];
+    erase_words(words, at, 2);
+    return value;
+  }
+  return std::nullopt;
+}
 
 std::size_t count_places(const Words& words) {
   const auto option = std::find_if(words.begin() + 1, words.end(), [](const std::string& word) {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,13 @@ namespace canvoy::tools {
 
 /// Number of words after the verb and before the first option.
 std::size_t count_places(const std::vector<std::string>& words);
+
+/// Takes out `count` words from the one at `at` on.
+void erase_words(std::vector<std::string>& words, std::size_t at, std::size_t count = 1);
+/// Takes out the first option with one of these names, and its value, where the value is one.
+std::optional<std::string> take_option(
+    std::vector<std::string>& words, std::initializer_list<std::string_view> names,
+    bool (*is_value)(std::string_view) = [](std::string_view) { return true; });
 
 /// Decimal, of up to three digits.
 bool is_small_number(std::string_view word);

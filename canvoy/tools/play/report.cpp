@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "canvoy/can/host/event_loop.hpp"
+#include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/cli/verb_help.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
 #include "canvoy/tools/page/live_bus.hpp"
 #include "canvoy/tools/page/live_log.hpp"
 #include "canvoy/tools/page/report_page.hpp"

@@ -16,7 +16,7 @@ bool names_a_file(std::string_view source) {
 }  // namespace
 
 bool is_log_source(std::string_view source) {
-  return source == "-" || names_a_file(source) || formats::trace_format_of(source).has_value();
+  return source == "-" || names_a_file(source) || formats::names_trace(source);
 }
 
 }  // namespace canvoy::tools
