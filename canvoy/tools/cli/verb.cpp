@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "canvoy/tools/cli/bit_rate_text.hpp"
+#include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
@@ -197,64 +198,7 @@ std::string in_its_place(std::string_view option) {
          "DBC";
 }
 
-// The line to type in place of one that is refused
-
 using Words = std::vector<std::string>;
-
-/// A word as a shell needs it.
-std::string quoted(const std::string& word) {
-  const bool is_plain =
-      !word.empty() && word.find_first_of(" '\"<>|&;()*?$#!\\") == std::string::npos;
-  const bool is_frame =
-      word.find_first_of(" '\"<>|&;()*?$!\\") == std::string::npos && word[0] != '#';
-  return is_plain || is_frame ? word : fmt::format("'{}'", word);
-}
-
-std::string line_of(const Words& words) {
-  std::string line = "canvoy";
-  for (const std::string& word : words) line += ' ' + quoted(word);
-  return line;
-}
-
-/// The first example of the verb that has this in it; empty: none has.
-std::string example_with(const CLI::App& verb, std::string_view part) {
-  std::istringstream lines(verb.get_footer());
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin == std::string::npos || line.compare(begin, 7, "canvoy ") != 0) continue;
-    if ((line + ' ').find(fmt::format(" {} ", part)) != std::string::npos)
-      return line.substr(begin);
-  }
-  return {};
-}
-
-/// The words without those that are not known; nothing else is taken out.
-Words without(Words words, const Words& unknown) {
-  for (const std::string& each : unknown) {
-    const auto found = std::ranges::find(words, each);
-    if (found != words.end()) words.erase(found);
-  }
-  return words;
-}
-
-/// The same words with the verb, one by one, of an example from the end of what was typed on:
-/// `configure can0 10` as `configure can0 10 battery.dcf`.
-std::string completed(const Words& words, const CLI::App& verb) {
-  std::string example = example_with(verb, verb.get_name());
-  if (example.empty()) return {};
-  std::istringstream parts(example.substr(example.find(' ') + 1));
-  Words made;
-  for (std::string part; parts >> part;) {
-    if (part.starts_with('-')) break;
-    made.push_back(std::move(part));
-  }
-  std::size_t places = 0;
-  while (places < words.size() && !words[places].starts_with('-')) ++places;
-  if (made.size() <= places) return {};
-  std::copy_n(words.begin(), places, made.begin());
-  made.insert(made.end(), words.begin() + static_cast<std::ptrdiff_t>(places), words.end());
-  return line_of(made);
-}
 
 /// Of a line in which all is known: a word or a value is missing, or a value is none.
 std::string refusal_of_known(const Understood& verb, const CLI::ParseError& error,
@@ -262,10 +206,10 @@ std::string refusal_of_known(const Understood& verb, const CLI::ParseError& erro
   const std::string text = in_plain_words(first_line(error.what()));
   std::string line;
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
-    line = completed(words, *verb.app);
+    line = completed_line(words, verb.app->get_name(), verb.app->get_footer());
     if (!line.empty()) line = ": " + line;
   } else if (text.starts_with("--")) {
-    line = example_with(*verb.app, text.substr(0, text.find_first_of(": ")));
+    line = example_with(verb.app->get_footer(), text.substr(0, text.find_first_of(": ")));
     if (!line.empty()) line = ", as in " + line;
   }
   return fmt::format("{}{}; see {} --help", text, line, verb.text);
@@ -293,8 +237,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, const Wor
   }
   const bool is_whole = !is_missing && verb.app != &app;
   return fmt::format("'{}' is not known here{}; see {} --help", word,
-                     is_whole ? "; without it: " + line_of(without(words, unknown)) : "",
-                     verb.text);
+                     is_whole ? "; without it: " + line_without(words, unknown) : "", verb.text);
 }
 
 /// End of a line of at most `room` characters: after its last blank, or within a long word after

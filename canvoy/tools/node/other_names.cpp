@@ -11,6 +11,7 @@
 #include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/other_programs.hpp"
@@ -318,10 +319,6 @@ void use_own_name(Words& words) {
 }
 
 }  // namespace
-
-std::string typed_line(const Words& words) {
-  return fmt::format("canvoy {}", fmt::join(words, " "));
-}
 
 bool is_verb_name(std::string_view word) {
   return std::ranges::find(verb_words, word, &VerbWords::name) != verb_words.end();

@@ -70,9 +70,6 @@ bool is_verb_name(std::string_view word);
 /// True for a file name of a data sheet: EDS, DCF, XDD, XDC.
 bool is_sheet_name(std::string_view word);
 
-/// A line as one types it: the words behind `canvoy`.
-std::string typed_line(const std::vector<std::string>& words);
-
 /// The verb goes to the front; bus and node behind it, also those of `--bus can0` before the verb.
 /// Throws UsageError for a bus alone.
 void put_verb_in_front(std::vector<std::string>& words);

@@ -15,6 +15,7 @@
 #include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/other_names.hpp"
 #include "canvoy/tools/node/word_order.hpp"

@@ -1,0 +1,28 @@
+// The line that was meant, in the message of one that is refused.
+//
+//     typed_line({"read", "can0", "10", "battery voltage"});  // canvoy read can0 10 'battery
+//     voltage' completed_line({"configure", "can0", "10"}, "configure", examples);
+//     // canvoy configure can0 10 battery.dcf
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace canvoy::tools {
+
+/// A line as one types it: the words behind `canvoy`, in quotes where a shell needs them.
+std::string typed_line(const std::vector<std::string>& words);
+
+/// The first line of `examples` with this word, `--table`; empty: none has it.
+std::string example_with(std::string_view examples, std::string_view word);
+
+/// The line with what is missing, as the first example of the verb has it; empty where that has no
+/// more words.
+std::string completed_line(const std::vector<std::string>& words, std::string_view verb,
+                           std::string_view examples);
+
+/// The line without these words, each of them once.
+std::string line_without(std::vector<std::string> words, const std::vector<std::string>& unknown);
+
+}  // namespace canvoy::tools
