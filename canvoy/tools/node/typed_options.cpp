@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -82,10 +83,11 @@ constexpr auto other_spellings = std::to_array<OtherSpellings>({
     {"source", "interface channel"},
 });
 
+/// A number, or `2:7` behind another network; names are not told from other words.
 bool is_node(std::string_view word) {
-  return word == "all" || names_node(word) ||
-         (word.find(':') != std::string_view::npos &&
-          is_small_number(word.substr(0, word.find(':'))));
+  const std::size_t colon = word.find(':');
+  const bool is_remote = colon != std::string_view::npos && is_small_number(word.substr(0, colon));
+  return word == "all" || is_remote || find_node_id(word).has_value();
 }
 bool is_pdo(std::string_view word) {
   const std::string_view kind = word.substr(0, 4);
@@ -390,10 +392,12 @@ class TypedOptions {
   }
 
   /// `configure can0 battery.dcf 10`: where a word has not the form of its place, and all of them
-  /// fit in one other order alone, that is meant. Where a second word might be the node, none is.
+  /// fit in one other order alone, that is meant. Where a second word might be the node, none is;
+  /// nor where it is a number that no node has, or nodes may have names.
   bool order_by_form() {
     constexpr std::size_t words_max = 6;
-    if (places_.empty() || loose_.size() > words_max || fits(loose_)) return false;
+    const bool is_left = places_.empty() || loose_.size() > words_max || fits(loose_);
+    if (is_left || may_have_names() || has_mistyped_node()) return false;
     std::vector<std::size_t> order(loose_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::optional<Words> found;
@@ -408,6 +412,19 @@ class TypedOptions {
     loose_ = *std::move(found);
     is_changed_ = true;
     return true;
+  }
+  bool may_have_names() const {
+    const char* const file = std::getenv("CANVOY_NETWORK");
+    return (file != nullptr && *file != '\0') || is_said("--network");
+  }
+  /// `write can0 200 1017 10` has no other node than 200.
+  bool has_mistyped_node() const {
+    for (std::size_t at = 0; at < loose_.size(); ++at) {
+      const PlaceForm* const form = form_at(at);
+      const bool is_node_place = form != nullptr && form->fits == is_node;
+      if (is_node_place && is_small_number(loose_[at]) && !is_node(loose_[at])) return true;
+    }
+    return false;
   }
   /// The form of the place at which a word stands; null: any word may stand there.
   const PlaceForm* form_at(std::size_t at) const {

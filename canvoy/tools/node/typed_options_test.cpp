@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace canvoy::tools::typed_options_test {
 namespace {
 
@@ -123,6 +125,12 @@ TEST_F(TypedOptions, WordsStandInAnyOrderThatTheirFormTells) {
   EXPECT_EQ(meant(two_nodes), two_nodes) << "either may be the node";
   const Words fits = {"read", "can0", "10", "20"};
   EXPECT_EQ(meant(fits), fits);
+  const Words mistyped = {"read", "can0", "200", "10"};
+  EXPECT_EQ(meant(mistyped), mistyped) << "no other node is asked";
+  ::setenv("CANVOY_NETWORK", "network.toml", 1);
+  const Words named = {"read", "can0", "pump", "10"};
+  EXPECT_EQ(meant(named), named) << "pump may be a node of the file";
+  ::unsetenv("CANVOY_NETWORK");
   const Words no_node = {"read", "can0", "pump", "temperature"};
   EXPECT_EQ(meant(no_node), no_node);
 }

@@ -276,16 +276,19 @@ void refuse_another_line(const Words& words) {
 }  // namespace
 
 std::vector<std::string> typed_words(Words words) {
-  if (words.empty()) {
+  const auto refuse_empty = [&words] {
+    if (!words.empty()) return;
     throw UsageError(
         "which verb? canvoy --help lists them all; canvoy scan can0 shows who is on a bus");
-  }
+  };
+  refuse_empty();
   if (words.front() == "version") return {"--version"};
   if (words.front() == "help") {
     words.erase(words.begin());
     words.emplace_back("--help");
   }
   put_verb_in_front(words);
+  refuse_empty();  // `-v` alone is left out
   use_own_names(words);
   if (words.front() == "device" && words.size() > 1) add_device_bus(words);
   use_node_behind_bus(words);
