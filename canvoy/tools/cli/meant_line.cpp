@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::string_view program = "canvoy ";
+constexpr std::string_view program_of_examples = "canvoy ";
 
 std::string quoted(const std::string& word) {
   const bool is_plain = !word.empty() && word.front() != '#' &&
@@ -56,7 +56,7 @@ std::string example_with(std::string_view examples, std::string_view word) {
     std::string_view line = examples.substr(0, examples.find('\n'));
     examples.remove_prefix(std::min(line.size() + 1, examples.size()));
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (!line.starts_with(program)) continue;
+    if (!line.starts_with(program_of_examples)) continue;
     const Words words = words_of_example(line);
     if (std::ranges::find(words, word) != words.end()) return std::string(line);
   }

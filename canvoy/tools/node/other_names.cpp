@@ -40,7 +40,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> na
   return std::ranges::find(names, word) != names.end();
 }
 
-/// The verb that others call so; null where nobody does.
+/// The verb with this other name; null: none has it.
 const VerbWords* verb_called(std::string_view word) {
   const auto* const found = std::ranges::find_if(verb_words, [word](const VerbWords& verb) {
     return is_listed(word, verb.others) || is_listed(word, verb.told);
@@ -270,6 +270,7 @@ void tell_by_kind(const Words& words) {
   const std::string& thing = words[1];
   const bool asks = is_ask_verb(name);
   std::vector<std::string> known;
+  known.reserve(verb_words.size());
   for (const VerbWords& verb : verb_words) known.emplace_back(verb.name);
   const bool is_verb = is_verb_name(name) || is_other_name(name) || is_nmt_word(name);
   const bool is_typo = !is_verb && !did_you_mean(name, known).empty();
