@@ -129,8 +129,7 @@ void add_masked(FilterRanges& made, const FilterClause& clause, const FilterPhra
   const std::size_t colon = phrase.text.find(':');
   const std::int64_t id =
       can_id_of(clause, {.position = phrase.position, .text = phrase.text.substr(0, colon)});
-  const std::string_view behind = std::string_view(phrase.text).substr(colon + 1);
-  const auto mask = hexadecimal(hexadecimal_digits(behind).value_or(behind));
+  const auto mask = hexadecimal(std::string_view(phrase.text).substr(colon + 1));
   if (!is_equation(clause) || !mask) refuse(clause, phrase, "a mask is written id=180:780");
   const std::int64_t length = id >= filter_extended_id ? filter_extended_id : 0;
   const std::uint32_t all = length != 0 ? Frame::extended_id_max : Frame::id_max;
