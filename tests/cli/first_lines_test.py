@@ -215,11 +215,11 @@ class FirstLines(CommandTest):
 
     def test_lines_for_programs_go_into_a_file(self):
         log = self.path("a.log")
-        for option in ("--json", "--csv"):
-            out = self.folder / "out.txt"
+        for option, name in (("--json", "out.jsonl"), ("--csv", "out.csv")):
+            out = self.folder / name
             self.assertEqual(self.assert_done(run("decode", log, option, "--out", str(out))), "")
             self.assertEqual(out.read_text(), self.assert_done(run("decode", log, option)))
-        self.assert_refused(run("decode", log, "--json", "--out", log), USAGE, "is the log itself")
+        self.assert_refused(run("decode", log, "--json", "--out", log), USAGE, "a.log is a log: leave one of them out")
         self.assertEqual(pathlib.Path(log).read_text(), LOG)
 
     def test_values_are_a_parquet_file(self):

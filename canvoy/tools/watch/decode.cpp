@@ -62,7 +62,7 @@ void add_decode(Verb& app) {
       {"--out", options->out,
        "write a log in place of lines: .pcapng, with the meaning as comments of the packets, or "
        "another that convert-log writes: " +
-           formats::trace_ending_list(true)},
+           formats::trace_ending_list(true) + "; with --json or --csv, their lines"},
   });
   options->printer.add_to(command);
   command.add({

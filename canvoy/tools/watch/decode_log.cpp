@@ -1,7 +1,9 @@
 #include "canvoy/tools/watch/decode_log.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,12 +52,23 @@ void show_without_match(const LogOptions& options, const FramePrinter& printer) 
   if (!without_match.empty()) print_message(fmt::format("{}: {}", options.log, without_match));
 }
 
+void refuse_log_itself(const LogOptions& options) {
+  if (!is_log_itself(options.log, options.out)) return;
+  throw UsageError(fmt::format("'{}' is the log itself", options.out));
+}
+
+/// `--csv --out a.csv` is a table, and `--json --out a.pcapng` is neither.
+void refuse_log_of_lines(const LogOptions& options) {
+  const auto format = formats::trace_format_of(options.out);
+  const bool is_table = options.printer.csv && format == formats::TraceFormat::python_can_csv;
+  if (!format || is_table) return;
+  throw UsageError(fmt::format("--{} prints lines, and --out {} is a log: leave one of them out",
+                               options.printer.json ? "json" : "csv", options.out));
+}
+
 formats::TraceFormat format_of_other_log(const LogOptions& options) {
-  if (options.printer.json) throw UsageError("--json prints lines, and --out writes a log");
   const formats::TraceFormat format = format_to_write(options.out);
-  if (is_log_itself(options.log, options.out)) {
-    throw UsageError(fmt::format("'{}' is the log itself", options.out));
-  }
+  refuse_log_itself(options);
   return format;
 }
 
@@ -151,13 +164,7 @@ std::string log_of(const std::vector<std::string>& frames) {
   return log;
 }
 
-}  // namespace
-
-std::string log_argument_text() {
-  return "a log: " + formats::trace_format_list() + ", each also as .gz; - for standard input";
-}
-
-int decode_log(const LogOptions& options) {
+int decode_into(const LogOptions& options) {
   // Of a pipe that is what ends it, and what has come is to be kept.
   const bool writes_file = !options.out.empty() || !options.parquet.empty();
   if (writes_file) heed_interruption();
@@ -194,6 +201,29 @@ int decode_log(const LogOptions& options) {
   refuse_log_without_frames(options.log, trace);
   output.finish();
   return exit_done;
+}
+
+}  // namespace
+
+std::string log_argument_text() {
+  return "a log: " + formats::trace_format_list() + ", each also as .gz; - for standard input";
+}
+
+int decode_log(const LogOptions& options) {
+  const bool is_text = !options.out.empty() && (options.printer.json || options.printer.csv);
+  if (!is_text) return decode_into(options);
+  // What would be printed is written into the file in place of the standard output.
+  refuse_log_of_lines(options);
+  refuse_log_itself(options);
+  heed_interruption();
+  host::AtomicFile draft = value_or_throw(host::AtomicFile::begin(options.out));
+  std::fflush(stdout);
+  ::dup2(draft.descriptor(), STDOUT_FILENO);
+  LogOptions printed = options;
+  printed.out.clear();
+  const int status = decode_into(printed);
+  ok_or_throw(draft.finish());
+  return status;
 }
 
 }  // namespace canvoy::tools
