@@ -212,7 +212,7 @@ std::optional<OptionInfo> next_place(const Line& line) {
   return places.back();
 }
 
-Words verb_words(const Verb& above) {
+Words subverb_texts(const Verb& above) {
   Words words;
   for (const std::unique_ptr<Verb>& verb : above.verbs()) {
     if (!verb->is_hidden()) words.push_back(verb->name());
@@ -233,7 +233,7 @@ Words option_words(const Verb& innermost) {
 Words candidates(const Line& line, const std::string& typed) {
   if (line.awaiting) return option_values(line);
   if (typed.starts_with('-')) return option_words(*line.verb);
-  Words words = verb_words(*line.verb);
+  Words words = subverb_texts(*line.verb);
   if (!words.empty()) return words;
   const std::optional<OptionInfo> place = next_place(line);
   return place ? place_words(line, place->name) : words;

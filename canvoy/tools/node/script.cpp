@@ -45,7 +45,7 @@ std::vector<std::string> buses_of(const ScriptOptions& options) {
   }
 }
 
-bool is_node(const std::string& word, NodeId node) {
+bool is_the_node(const std::string& word, NodeId node) {
   try {
     return parse_node_id(word) == node;
   } catch (const UsageError&) {
@@ -60,7 +60,7 @@ std::string sheet_of(const std::vector<std::string>& sheets, const std::string& 
     const std::size_t equals = sheet.find('=');
     if (equals == std::string::npos) {
       of_all = sheet;
-    } else if (is_node(node, parse_node_id(sheet.substr(0, equals)))) {
+    } else if (is_the_node(node, parse_node_id(sheet.substr(0, equals)))) {
       return sheet.substr(equals + 1);
     }
   }
