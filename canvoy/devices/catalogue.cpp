@@ -1,7 +1,8 @@
 #include "canvoy/devices/catalogue.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
-#include <vector>
 
 #include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia407/kinds.hpp"
@@ -36,15 +37,19 @@ constexpr const DeviceKind* others[] = {&cia401::io_kind,
                                         &cia417::landing_panel_kind,
                                         &cia417::car_panel_kind};
 
-std::vector<const DeviceKind*> join() {
-  std::vector<const DeviceKind*> kinds(std::begin(others), std::end(others));
-  for (const DeviceKind& kind : cia447::kinds()) kinds.push_back(&kind);
-  for (const DeviceKind& kind : cia407::kinds()) kinds.push_back(&kind);
+using Kinds =
+    std::array<const DeviceKind*, std::size(others) + cia447::kind_count + cia407::kind_count>;
+
+Kinds join() {
+  Kinds kinds{};
+  auto next = std::copy(std::begin(others), std::end(others), kinds.begin());
+  for (const DeviceKind& kind : cia447::kinds()) *next++ = &kind;
+  for (const DeviceKind& kind : cia407::kinds()) *next++ = &kind;
   return kinds;
 }
 
 /// In the order of --list.
-const std::vector<const DeviceKind*> all_kinds = join();
+const Kinds all_kinds = join();
 
 }  // namespace
 

@@ -49,7 +49,7 @@ class CarObjects(CommandTest):
 
     def test_each_test_that_it_names_there_is(self):
         sources = "".join(path.read_text() for path in (ROOT / "canvoy" / "devices" / "cia447").rglob("*_test.cpp"))
-        there_are = {f"{suite}.{name}" for suite, name in re.findall(r"(?m)^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
+        there_are = {f"{suite}.{name}" for suite, name in re.findall(r"(?m)^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
         named = set(re.findall(r"`(\w+\.[A-Z]\w+)`", self.text))
         self.assertGreater(len(named), 60)
         self.assertEqual(named - there_are, set())

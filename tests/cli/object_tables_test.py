@@ -60,7 +60,7 @@ class ObjectTables(CommandTest):
 
     def test_each_test_that_is_named_there_is(self):
         sources = "".join(path.read_text() for folder in ("devices", "profiles") for path in (ROOT / "canvoy" / folder).rglob("*_test.cpp"))
-        there_are = {f"{suite}.{name}" for suite, name in re.findall(r"(?m)^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
+        there_are = {f"{suite}.{name}" for suite, name in re.findall(r"(?m)^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
         for page in PAGES.values():
             named = set(re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", (ROOT / "docs" / page).read_text()))
             self.assertGreater(len(named), 15, page)

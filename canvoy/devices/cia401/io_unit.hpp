@@ -133,20 +133,20 @@ struct IoHardware {
 };
 /// Sets it to the member functions of a plain class that have these names: see PlainHardware.
 template <class Plain>
-constexpr void set_by_names(IoHardware& hardware, Plain& plain) {
+constexpr void set_by_names(IoHardware& hardware, Plain& things) {
   static_assert(
       requires { &Plain::digital_inputs; } || requires { &Plain::drive_digital; } ||
           requires { &Plain::analogue_input; } || requires { &Plain::drive_analogue; },
       "the class has no member function of IoHardware: digital_inputs, drive_digital, "
       "analogue_input or drive_analogue");
   if constexpr (requires { &Plain::digital_inputs; })
-    hardware.digital_inputs = callback<&Plain::digital_inputs>(plain);
+    hardware.digital_inputs = callback<&Plain::digital_inputs>(things);
   if constexpr (requires { &Plain::drive_digital; })
-    hardware.drive_digital = callback<&Plain::drive_digital>(plain);
+    hardware.drive_digital = callback<&Plain::drive_digital>(things);
   if constexpr (requires { &Plain::analogue_input; })
-    hardware.analogue_input = callback<&Plain::analogue_input>(plain);
+    hardware.analogue_input = callback<&Plain::analogue_input>(things);
   if constexpr (requires { &Plain::drive_analogue; })
-    hardware.drive_analogue = callback<&Plain::drive_analogue>(plain);
+    hardware.drive_analogue = callback<&Plain::drive_analogue>(things);
 }
 
 /// Settings of a module that no object of its dictionary has.

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia447/kinds.hpp"
 
+#include <array>
+
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
 #include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
 #include "canvoy/devices/cia447/discrete_inputs/discrete_inputs_unit.hpp"
@@ -25,7 +27,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-const DeviceKind all[] = {
+const std::array<DeviceKind, kind_count> all = {
     car_device_kind<IvnGatewayKind>(),
     car_device_kind<FireExtinguishingKind>(),
     car_device_kind<EmergencyFreshAirKind>(),

@@ -2,12 +2,15 @@
 // heap: boards link units, and none of these.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "canvoy/devices/kit/device_kind.hpp"
 
 namespace canvoy::cia447 {
 
+/// Number of kinds.
+inline constexpr std::size_t kind_count = 20;
 /// In the order of their clauses.
 std::span<const DeviceKind> kinds();
 
