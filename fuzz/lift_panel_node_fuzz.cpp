@@ -1,11 +1,12 @@
-// Arbitrary frames, writes of parameters and PDOs, buttons, defects and times, passed to a landing
-// panel of CiA 417-4. It continues to run, its memory is bounded, and when the bus is free again,
-// the last report of each input is its state.
+// Arbitrary frames, writes of parameters and PDOs, buttons, defects, object creations and times,
+// passed to a landing panel of CiA 417-4. It continues to run, its memory is bounded, and when the
+// bus is free again, the last report of each input is its state.
 #include <array>
 #include <cstdint>
 #include <span>
 
 #include "canvoy/devices/cia417/kit/lift_number.hpp"
+#include "canvoy/devices/cia417/kit/object_creation.hpp"
 #include "canvoy/devices/cia417/panel/panel_device.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
@@ -25,6 +26,7 @@ constexpr auto make_parts() {
   DeviceDescription<64> parts;
   parts.add(panel<PanelOptions{
                 .inputs = input_count, .outputs = output_count, .low_pdo_numbers = true}>());
+  parts.add(object_creation_object);
   parts.add(lift_number_object);
   parts.add(Part(input_parameter_1_object).only(4, 2).up_to(4));
   parts.add(cia301::identity({}));
@@ -33,6 +35,8 @@ constexpr auto make_parts() {
 }
 constexpr auto parts = make_parts();
 constexpr auto layout = partial(lay_out_device<parts>());
+constexpr CreatableObjects creatable[] = {
+    {.first = 0x6124, .last = 0x6125, .highest_sub = 4, .specified = Access::rw}};
 
 constexpr VirtualInput inputs[] = {
     {.function = BasicFunction::standard_hall_call,
@@ -104,8 +108,8 @@ class World {
     feeder_.receive(frame);
   }
   void write_parameter(Input& input) {
-    constexpr std::array<std::uint16_t, 10> objects = {0x6120, 0x6140, 0x6160, 0x6180, 0x6220,
-                                                       0x6240, 0x6260, 0x6280, 0x6124, 0x6001};
+    constexpr std::array<std::uint16_t, 11> objects = {
+        0x6120, 0x6140, 0x6160, 0x6180, 0x6220, 0x6240, 0x6260, 0x6280, 0x6020, 0x6124, 0x6001};
     const std::uint16_t index = objects[input.byte() % objects.size()];
     feeder_.write(index, input.byte() % 7, input.word() | std::uint32_t{input.word()} << 16);
   }
@@ -176,6 +180,8 @@ class World {
   std::array<std::uint64_t, std::size(inputs)> last_{};  ///< reported records
   PanelDevice<layout, queue_max> device_{
       {this, &World::take, nullptr}, node_id, {}, {.inputs = inputs}, {.outputs = outputs}};
+  std::array<CreatedObject, 3> created_{};
+  ObjectCreation creation_{device_.node(), creatable, created_};
   LiftNumber lift_number_{device_.node(), {}};
   NodeFeeder feeder_{device_.node()};
 };
