@@ -56,7 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (web::cookie_of(text, "a").size() > size) std::abort();
   static Network network;
   static const auto state = std::make_shared<const nlohmann::ordered_json>(network.state());
-  tools::LiveViewer viewer(network, state);
+  static const tools::LiveLook look{.state = state, .counts = state};
+  tools::LiveViewer viewer(network, look);
   viewer.said(text);
   const std::string told = viewer.next();
   if (!nlohmann::json::accept(told)) std::abort();

@@ -54,7 +54,7 @@ std::size_t blank_length(std::string_view text) {
 }
 
 /// Number of bytes of a leading character without a shape: one that controls, or that has no
-/// width or only a direction; 0: none.
+/// width or only a direction; 0: none. U+200C and U+200D shape letters and pictures beside them.
 std::size_t hidden_length(std::string_view text) {
   constexpr unsigned char first_visible = 0x20;
   constexpr unsigned char delete_character = 0x7F;
@@ -67,8 +67,9 @@ std::size_t hidden_length(std::string_view text) {
   };
   const bool is_hidden =
       is_between("\xC2\x80", "\xC2\x9F") || is_between("\xC2\xAD", "\xC2\xAD") ||
-      is_between("\xE2\x80\x8B", "\xE2\x80\x8F") || is_between("\xE2\x80\xAA", "\xE2\x80\xAE") ||
-      is_between("\xE2\x81\xA0", "\xE2\x81\xAF") || is_between("\xEF\xBB\xBF", "\xEF\xBB\xBF");
+      is_between("\xE2\x80\x8B", "\xE2\x80\x8B") || is_between("\xE2\x80\x8E", "\xE2\x80\x8F") ||
+      is_between("\xE2\x80\xAA", "\xE2\x80\xAE") || is_between("\xE2\x81\xA0", "\xE2\x81\xAF") ||
+      is_between("\xEF\xBB\xBF", "\xEF\xBB\xBF");
   return is_hidden ? length : 0;
 }
 

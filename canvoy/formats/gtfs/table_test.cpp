@@ -62,18 +62,18 @@ TEST(Table, ColumnsAreFoundByTheirNamesInAnyOrder) {
   EXPECT_FALSE(table->error());
 }
 
-/// U+202E right-to-left override, U+200D zero width joiner, U+200F right-to-left mark, U+00AD soft
+/// U+202E right-to-left override, U+200B zero width space, U+200F right-to-left mark, U+00AD soft
 /// hyphen, U+FEFF byte order mark.
 TEST(Table, WhatNobodyCanReadIsNoPartOfAName) {
   constexpr static std::string_view columns[] = {"a"};
-  const FeedArchive archive =
-      FeedArchive::of_texts({{"x.txt",
-                              "a\nT\u202Ewo\u200D\n\u05D0\u200F 1\nT\x01w\x1Bo\x7F\n"
-                              "Bahn\u00ADhof\uFEFF\n\" One\r\n \tMore \"\n\u00E4\u2014\n"}});
+  const FeedArchive archive = FeedArchive::of_texts(
+      {{"x.txt",
+        "a\nT\u202Ewo\u200B\n\u05D0\u200F 1\nT\x01w\x1Bo\x7F\n"
+        "Bahn\u00ADhof\uFEFF\n\" One\r\n \tMore \"\n\u00E4\u2014\n\u0645\u06CC\u200C\u0634\n"}});
   host::Result<Table> table = Table::open(archive, "x.txt", columns);
   ASSERT_TRUE(table);
-  for (const std::string_view name :
-       {"Two", "\u05D0 1", "Two", "Bahnhof", "One More", "\u00E4\u2014"}) {
+  for (const std::string_view name : {"Two", "\u05D0 1", "Two", "Bahnhof", "One More",
+                                      "\u00E4\u2014", "\u0645\u06CC\u200C\u0634"}) {
     ASSERT_TRUE(table->next());
     EXPECT_EQ(table->shown(0), name);
   }

@@ -150,6 +150,9 @@ void FramePrinter::add_profile(const std::string& text) {
 }
 
 void FramePrinter::add_node(const std::string& text) {
+  if (text.find('=') == std::string::npos) {
+    throw UsageError(fmt::format("which profile has node {0}? --node {0}=418", text));
+  }
   const auto [node, name] = split(text, "--node 5=419, or can1:5=419");
   const auto [bus, node_id] = parse_node_of_bus(node);
   if (!is_device_name(name)) {

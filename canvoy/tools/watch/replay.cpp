@@ -193,7 +193,7 @@ void add_replay(Verb& app) {
        required},
       {"--speed", options->speed, "2: twice as fast; 0: as fast as the bus takes it (default 1)",
        between(0.0, 1'000'000.0)},
-      {"--loop", options->loops, "how often; 0: until ^C (default 1)"},
+      {"--loop", options->loops, "how often; 0 or nothing: until ^C (default 1)", may_be_bare},
       {"--node", options->nodes,
        "only what this node sends, or is sent to it; several: --node 5 7"},
       {"--json", options->json, "one JSON object a line"},
