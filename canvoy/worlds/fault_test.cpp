@@ -46,7 +46,7 @@ TEST(FaultText, MayBeginAtTheStart) {
 
 TEST(FaultText, IsWrittenAsItIsRead) {
   for (const char* text : {"not-ready@20min", "heartbeat-loss:node=5:group@90min+30s",
-                           "not-ready:group@0h", "not-ready@1500us+250ms"}) {
+                           "not-ready:group@0s", "not-ready@1500us+250ms"}) {
     const FaultParse parsed = parse_fault(grammar, text);
     ASSERT_TRUE(parsed.fault) << parsed.error;
     EXPECT_EQ(fault_text(grammar, *parsed.fault), text);

@@ -263,6 +263,13 @@ TEST_F(EdsReader, ReadsAnything) {
   }
 }
 
+TEST_F(EdsReader, ALineWithoutAKeyBeginsNoSectionWhenItIsWrittenAgain) {
+  const DataSheet sheet =
+      read("[1800]\nParameterName=TPDO\nObjectType=9\n=[1800sub0]\nDataType=5\n");
+  EXPECT_EQ(sheet.objects.at(0x1800).subs.size(), 0U);
+  EXPECT_EQ(read(write_eds(sheet)).objects.at(0x1800).subs.size(), 0U);
+}
+
 // What was made from modules and CompactPDO is written out, and not made again.
 TEST(EdsModules, AreMadeOnce) {
   constexpr std::string_view text =

@@ -22,9 +22,10 @@ std::optional<std::string_view> section_name(std::string_view line) {
 IniLine parse_line(std::string_view line, std::size_t number) {
   const std::size_t equals = line.find('=');
   const bool sets = equals != std::string_view::npos && !line.starts_with(';');
-  if (!sets) return {"", std::string(line), number};
-  return {std::string(trimmed(line.substr(0, equals))),
-          std::string(trimmed(line.substr(equals + 1))), number};
+  const std::string_view key = sets ? trimmed(line.substr(0, equals)) : std::string_view{};
+  // Without a key, `=[1000]` is a line of its own: written as `[1000]`, it would begin a section.
+  if (key.empty()) return {"", std::string(line), number};
+  return {std::string(key), std::string(trimmed(line.substr(equals + 1))), number};
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ TEST(MoreBrokenDevices, AreFoundByTheCasesThatAreAboutIt) {
 TEST(MoreBrokenDevices, HaveTheirFailuresAtTheTopOfThePage) {
   CheckedDevice device(module_kind());
   Middle middle(device);
-  apply(device, middle, sdo_ways().front());
+  const std::vector<Way> ways = sdo_ways();
+  apply(device, middle, ways.front());
   Check check(device.line(), device.node(), {});
   const std::string page = report_html({}, check.run({}, "sdo"));
   const std::size_t link = page.find("<li><a href=\"#sdo-04\">sdo-04</a>");

@@ -75,7 +75,7 @@ void append_cell(std::string& page, std::string_view text) {
 void append_result_row(std::string& page, const TestResult& result) {
   const TestCase& test = *result.test;
   constexpr std::string_view classes[] = {"pass", "fail", "none"};
-  page += fmt::format("<tr id=\"{}\" class=\"{}\">", test.id,
+  page += fmt::format(R"(<tr id="{}" class="{}">)", test.id,
                       classes[static_cast<std::size_t>(result.verdict.outcome)]);
   append_cell(page, outcome_name(result.verdict.outcome));
   for (const std::string* text :

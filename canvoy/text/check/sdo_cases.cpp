@@ -245,7 +245,7 @@ Verdict judge_silence(Bench& bench, const Frame& frame) {
 Verdict judge_other_node(Bench& bench) {
   const auto next = static_cast<NodeId>(bench.node() == node_id_max ? 1 : bench.node() + 1);
   for (const NodeId other : {next, NodeId{0}}) {
-    const Verdict verdict = judge_silence(
+    Verdict verdict = judge_silence(
         bench, Frame::data_frame(can_id::sdo_request + other, {0x40, 0, 0x10, 0, 0, 0, 0, 0}));
     if (verdict.outcome != Outcome::passed) return verdict;
   }
