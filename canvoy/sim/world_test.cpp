@@ -304,15 +304,24 @@ TEST_F(WorldTest, AnActionThatAFrameBringsIsDoneInTime) {
   EXPECT_EQ(planner.done, std::vector<Time>{planner.heard[0].at + 10us});
 }
 
-TEST_F(WorldTest, TwoBusesShareOneTimeAndNoFrames) {
-  const BusIndex other_bus = sut.add_bus({.bit_rate = 250'000});
+/// And two on a bus of 250 kbit/s, where a bit takes 4 µs.
+class TwoBusesTest : public WorldTest {
+ protected:
+  void SetUp() override {
+    WorldTest::SetUp();
+    const BusIndex other_bus = sut.add_bus({.bit_rate = 250'000});
+    for (Probe* probe : {&far, &far_peer}) {
+      const SlotIndex slot = sut.add_slot(other_bus, {.accept_all = true});
+      probe->port = sut.port(slot);
+      sut.occupy(slot, *probe);
+    }
+  }
+
   Probe far;
   Probe far_peer;
-  for (Probe* probe : {&far, &far_peer}) {
-    const SlotIndex slot = sut.add_slot(other_bus, {.accept_all = true});
-    probe->port = sut.port(slot);
-    sut.occupy(slot, *probe);
-  }
+};
+
+TEST_F(TwoBusesTest, ShareOneTimeAndNoFrames) {
   first.period = far.period = 10ms;
   for (SlotIndex slot = 0; slot < 4; ++slot) sut.start(slot);
   sut.run_until(Time(15ms));
@@ -323,15 +332,7 @@ TEST_F(WorldTest, TwoBusesShareOneTimeAndNoFrames) {
   EXPECT_NEAR(static_cast<double>(slow.count()), 2.0 * static_cast<double>(fast.count()), 1.0);
 }
 
-TEST_F(WorldTest, AGatewaySendsAfterItHasReceived) {
-  const BusIndex other_bus = sut.add_bus({.bit_rate = 250'000});
-  Probe far;
-  Probe far_peer;
-  for (Probe* probe : {&far, &far_peer}) {
-    const SlotIndex slot = sut.add_slot(other_bus, {.accept_all = true});
-    probe->port = sut.port(slot);
-    sut.occupy(slot, *probe);
-  }
+TEST_F(TwoBusesTest, AGatewaySendsAfterItHasReceived) {
   second.onward = &far.port;
   first.period = 100ms;
   for (SlotIndex slot = 0; slot < 4; ++slot) sut.start(slot);

@@ -1,8 +1,7 @@
 // The line that was meant, in the message of one that is refused.
 //
-//     typed_line({"read", "can0", "10", "battery voltage"});  // canvoy read can0 10 'battery
-//     voltage' completed_line({"configure", "can0", "10"}, "configure", examples);
-//     // canvoy configure can0 10 battery.dcf
+//     typed_line({"read", "can0", "10", "a b"});  // canvoy read can0 10 'a b'
+//     completed_line({"configure", "can0", "10"}, "configure", examples);
 #pragma once
 
 #include <string>
