@@ -8,6 +8,7 @@
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_canceller_unit.hpp"
+#include "canvoy/devices/testing/board_tables.hpp"
 
 namespace canvoy::cia407::bus_board_test {
 namespace {
@@ -19,19 +20,7 @@ using DestinationText =
 template <class Kind>
 void expect_the_same_tables() {
   const PartTables composed(bus_parts(only_bus_unit<Kind>));
-  const DictionaryTables expected = composed.tables();
-  const DictionaryTables tables = DeviceNode<layout_of<BusBoard<Kind>>>::tables;
-  ASSERT_EQ(tables.objects.size(), expected.objects.size());
-  for (std::size_t i = 0; i < tables.objects.size(); ++i) {
-    EXPECT_EQ(tables.objects[i].index, expected.objects[i].index);
-    EXPECT_EQ(tables.objects[i].count, expected.objects[i].count);
-    EXPECT_EQ(tables.objects[i].entry_count, expected.objects[i].entry_count);
-  }
-  ASSERT_EQ(tables.entries.size(), expected.entries.size());
-  EXPECT_TRUE(std::ranges::equal(tables.entries, expected.entries));
-  EXPECT_TRUE(std::ranges::equal(tables.defaults, expected.defaults));
-  EXPECT_TRUE(std::ranges::equal(tables.numbers, expected.numbers));
-  EXPECT_TRUE(std::ranges::equal(tables.texts, expected.texts));
+  expect_same_tables(DeviceNode<layout_of<BusBoard<Kind>>>::tables, composed.tables());
 }
 
 TEST(BusBoard, HasTheObjectsOfTheCatalogue) {

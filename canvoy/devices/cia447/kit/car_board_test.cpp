@@ -9,6 +9,7 @@
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
 #include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
+#include "canvoy/devices/testing/board_tables.hpp"
 
 namespace canvoy::cia447::car_board_test {
 namespace {
@@ -17,19 +18,7 @@ namespace {
 template <class Kind>
 void expect_the_same_tables() {
   const PartTables composed(car_parts(only_unit<Kind>));
-  const DictionaryTables expected = composed.tables();
-  const DictionaryTables tables = DeviceNode<car_layout<Kind>>::tables;
-  ASSERT_EQ(tables.objects.size(), expected.objects.size());
-  for (std::size_t i = 0; i < tables.objects.size(); ++i) {
-    EXPECT_EQ(tables.objects[i].index, expected.objects[i].index);
-    EXPECT_EQ(tables.objects[i].count, expected.objects[i].count);
-    EXPECT_EQ(tables.objects[i].entry_count, expected.objects[i].entry_count);
-  }
-  ASSERT_EQ(tables.entries.size(), expected.entries.size());
-  EXPECT_TRUE(std::ranges::equal(tables.entries, expected.entries));
-  EXPECT_TRUE(std::ranges::equal(tables.defaults, expected.defaults));
-  EXPECT_TRUE(std::ranges::equal(tables.numbers, expected.numbers));
-  EXPECT_TRUE(std::ranges::equal(tables.texts, expected.texts));
+  expect_same_tables(DeviceNode<car_layout<Kind>>::tables, composed.tables());
 }
 
 TEST(CarBoard, HasTheObjectsOfTheCatalogue) {
