@@ -1,10 +1,11 @@
-"""Unit test programs and fuzz targets that are what they were when they passed: they would pass again.
+"""Unit test programs, fuzz targets and tests of sources that are what they were when they passed: they would pass again.
 
     passed = PassedPrograms(presets.ROOT, presets.build_folder("check"), ("canopen", "formats"))
     passed.unchanged        # ["formats"]
     passed.note({"canopen": True})
 
-A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuzz.filter_fuzz`.
+A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuzz.filter_fuzz`. A test that compiles
+sources itself is named in SOURCES.
 """
 
 import hashlib
@@ -13,15 +14,28 @@ import json
 # What a program reads, beside what is compiled into it.
 DATA = {"profiles": "canvoy/profiles/clauses", "formats": "tests/sheets"}
 FUZZ = "fuzz."
+# What a test reads that compiles sources of the project itself.
+HEADERS = tuple(f"canvoy/{library}/**/*.hpp" for library in ("can", "canopen", "profiles", "devices"))
+NODE = (*HEADERS, "canvoy/can/**/*.cpp", "canvoy/canopen/**/*.cpp", "canvoy/profiles/**/*.cpp")
+SOURCES = {
+    "embed.wrong_descriptions": (*HEADERS, "tests/embed/wrong_descriptions"),
+    "embed.add_subdirectory": (*NODE, "CMakeLists.txt", "canvoy/**/CMakeLists.txt", "cmake/*", "tests/embed/build_consumer", "tests/embed/consumer/*"),
+    "embed.fits_a_cortex_m0": (
+        *NODE, "canvoy/devices/cia401/**/*.cpp", "canvoy/devices/cia852/**/*.cpp", "bench/size/*", "ports/common/*",
+        "examples/cortex_m/*", "tests/embed/fits_a_cortex_m0"),
+}  # fmt: skip
 
 
 def program_of(test):
     """The program of a test of ctest."""
-    return test if test.startswith(FUZZ) else test.partition(".")[0]
+    return test if test.startswith(FUZZ) or test in SOURCES else test.partition(".")[0]
 
 
 def files_of(root, build, name):
     """The program, and all that it reads; none where it is not built."""
+    if name in SOURCES:
+        found = {path for pattern in SOURCES[name] for path in root.glob(pattern)}
+        return sorted(path for path in found if path.is_file() and not path.name.endswith("_test.cpp"))
     if name.startswith(FUZZ):
         target = name.removeprefix(FUZZ)
         programs, data = [build / target], f"fuzz/corpus/{target}"

@@ -74,7 +74,7 @@ class RunTests(unittest.TestCase):
 
     def test_what_fails_once_is_told_and_has_not_failed(self):
         cases, unsteady, arguments = self.run_again(("bad", "run"), ("absent", "fail"))
-        self.assertEqual(arguments, ("-R", "^(bad|absent)$", "-LE", "unit|style"))
+        self.assertEqual(arguments, ("-R", "^(bad|absent)$", "-LE", "unit"))
         self.assertEqual(unsteady, ["release: bad\n    1\n    2 is not 3"])
         self.assertEqual(run_tests.judge("release", cases, True)[:2], (2, ["release: absent"]))
 
@@ -89,9 +89,10 @@ class RunTests(unittest.TestCase):
         self.assertEqual(unsteady, [])
         self.assertNotIn("vm.boots", [case.get("name") for case in cases])
 
-    def test_where_nothing_has_failed_nothing_is_run_again(self):
+    def test_where_nothing_but_style_has_failed_nothing_is_run_again(self):
+        cases = [xml.fromstring('<testcase name="good" status="run"/>'), xml.fromstring('<testcase name="style.bad" status="fail"/>')]
         with unittest.mock.patch.object(run_tests, "run_ctest") as run_ctest:
-            self.assertEqual(run_tests.run_again(None, None, [xml.fromstring('<testcase name="good" status="run"/>')])[1], [])
+            self.assertEqual(run_tests.run_again(None, None, cases), (cases, []))
         run_ctest.assert_not_called()
 
     def test_nothing_is_run_where_packages_are_missing(self):
@@ -142,6 +143,28 @@ class RunTests(unittest.TestCase):
             self.assertEqual(run_tests.PassedPrograms(root, build, programs).unchanged, ["fuzz.filter_fuzz", "host"])
             (root / "fuzz/corpus/filter_fuzz/b").write_text("1")
             self.assertEqual(run_tests.PassedPrograms(root, build, programs).unchanged, ["host"])
+
+    def test_what_compiles_sources_itself_is_what_they_are(self):
+        name = "embed.add_subdirectory"
+        with tempfile.TemporaryDirectory() as folder:
+            root = build = pathlib.Path(folder)
+            self.assertEqual(run_tests.PassedPrograms(root, build, (name,)).unchanged, [])
+            for path in ("canvoy/can/frame/frame.cpp", "canvoy/devices/kit/kit.hpp", "canvoy/devices/cia419/charger.cpp"):
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text("1")
+            run_tests.PassedPrograms(root, build, (name,)).note({name: True})
+            (root / "canvoy/devices/cia419/charger.cpp").write_text("2")
+            (root / "canvoy/can/frame/frame_test.cpp").write_text("2")
+            self.assertEqual(run_tests.PassedPrograms(root, build, (name,)).unchanged, [name])
+            (root / "canvoy/devices/kit/kit.hpp").write_text("2")
+            self.assertEqual(run_tests.PassedPrograms(root, build, (name,)).unchanged, [])
+
+    def test_each_test_that_compiles_sources_itself_is_there(self):
+        lines = (run_tests.presets.ROOT / "tests/embed/CMakeLists.txt").read_text()
+        for name, patterns in run_tests.SOURCES.items():
+            self.assertIn(name, lines)
+            for pattern in patterns:
+                self.assertTrue(any(run_tests.presets.ROOT.glob(pattern)), pattern)
 
 
 if __name__ == "__main__":
