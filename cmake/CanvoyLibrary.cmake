@@ -10,7 +10,7 @@ set(canvoy_coverage -fsanitize-coverage=inline-8bit-counters,pc-table)
 # together when the program runs. They are objects of their own, also in batches, so that a board links none of them.
 set(canvoy_on_the_heap "(simulated_[a-z_]+|frame_errors|heap_node|part_tables|car_device|bus_device|kinds)[.]cpp")
 
-# canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
+# canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [TESTS_BY_FOLDER] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
 #
 # Called in a folder's CMakeLists.txt, it makes
 #   canvoy_<name>, alias canvoy::<name>, of all *.cpp of the folder and its subfolders but *_test.cpp, and
@@ -19,6 +19,7 @@ set(canvoy_on_the_heap "(simulated_[a-z_]+|frame_errors|heap_node|part_tables|ca
 #
 #   FREESTANDING  without exceptions and RTTI (the tests have them: GoogleTest needs them)
 #   NO_INSTALL    not part of the installed package
+#   TESTS_BY_FOLDER  where tests are run in parts, each folder has its own
 #   DEPENDS       the folders that this one is built on, by name
 #   LINK          other targets that it needs
 #   EXCLUDE       files and subfolders that belong to something else
@@ -27,7 +28,7 @@ set(canvoy_on_the_heap "(simulated_[a-z_]+|frame_errors|heap_node|part_tables|ca
 #
 # The target's property CANVOY_ARCHIVES names it and all that it is built on, the lowest first.
 function(canvoy_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "GATHER" "DEPENDS;LINK;EXCLUDE;PRECOMPILE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL;TESTS_BY_FOLDER" "GATHER" "DEPENDS;LINK;EXCLUDE;PRECOMPILE")
   canvoy_sources(sources tests ${arg_EXCLUDE})
   if(arg_GATHER)
     canvoy_gather(sources "${arg_GATHER}")
@@ -86,6 +87,9 @@ function(canvoy_library name)
     set_property(GLOBAL APPEND PROPERTY CANVOY_INSTALLED_LIBRARIES ${target})
   endif()
   if(CANVOY_TESTS AND CANVOY_UNIT_TESTS AND tests)
+    if(arg_TESTS_BY_FOLDER)
+      list(PREPEND tests BY_FOLDER)
+    endif()
     canvoy_test(${name} ${tests})
   endif()
 endfunction()

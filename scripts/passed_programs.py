@@ -4,8 +4,8 @@
     passed.unchanged        # ["formats"]
     passed.note({"canopen": True})
 
-A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuzz.filter_fuzz`. A test that compiles
-sources itself is named in SOURCES.
+A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuzz.filter_fuzz`. Tests that compile
+sources themselves, and those of one world, are what the sources are that SOURCES names.
 """
 
 import hashlib
@@ -14,6 +14,12 @@ import json
 # What a program reads, beside what is compiled into it.
 DATA = {"profiles": "canvoy/profiles/clauses", "formats": "tests/sheets"}
 FUZZ = "fuzz."
+WORLDS = "worlds_"
+# The folders of devices that each world has, beside the kit: what another profile's devices do, its tests do not reach.
+DEVICES_OF = {
+    "bus_line": ("cia407", "cia447"), "charger": ("cia418", "cia419"), "excavator": ("cia401", "cia852"), "lift": ("cia417",),
+    "police": ("cia447",), "taxi": ("cia447",),
+}  # fmt: skip
 # What a test reads that compiles sources of the project itself.
 HEADERS = tuple(f"canvoy/{library}/**/*.hpp" for library in ("can", "canopen", "profiles", "devices"))
 NODE = (*HEADERS, "canvoy/can/**/*.cpp", "canvoy/canopen/**/*.cpp", "canvoy/profiles/**/*.cpp")
@@ -23,6 +29,14 @@ SOURCES = {
     "embed.fits_a_cortex_m0": (
         *NODE, "canvoy/devices/cia401/**/*.cpp", "canvoy/devices/cia852/**/*.cpp", "bench/size/*", "ports/common/*",
         "examples/cortex_m/*", "tests/embed/fits_a_cortex_m0"),
+}  # fmt: skip
+# What the tests of one world read: all libraries below the devices with their headers, and what is its own.
+BELOW = ("CMakePresets.json", "cmake/*", "canvoy/*/**/*.hpp", *(f"canvoy/{library}/**/*.cpp" for library in ("can", "canopen", "profiles", "formats", "sim")))
+SOURCES |= {
+    f"{WORLDS}{world}": (
+        *BELOW, *(f"canvoy/devices/{folder}/**/*.cpp" for folder in ("kit", *profiles)), f"canvoy/worlds/{world}/**/*",
+        "canvoy/worlds/car/*", "canvoy/devices/*.cpp")
+    for world, profiles in DEVICES_OF.items()
 }  # fmt: skip
 
 
@@ -35,7 +49,7 @@ def files_of(root, build, name):
     """The program, and all that it reads; none where it is not built."""
     if name in SOURCES:
         found = {path for pattern in SOURCES[name] for path in root.glob(pattern)}
-        return sorted(path for path in found if path.is_file() and not path.name.endswith("_test.cpp"))
+        return sorted(path for path in found if path.is_file() and (not path.name.endswith("_test.cpp") or name.startswith(WORLDS)))
     if name.startswith(FUZZ):
         target = name.removeprefix(FUZZ)
         programs, data = [build / target], f"fuzz/corpus/{target}"

@@ -2,6 +2,8 @@
 """What scripts/run-tests makes of the cases that ctest reports."""
 
 import pathlib
+import re
+import sys
 import tempfile
 import unittest
 import unittest.mock
@@ -10,6 +12,24 @@ import xml.etree.ElementTree as xml
 import script
 
 run_tests = script.load("run-tests")
+passed_programs = sys.modules["passed_programs"]
+ROOT = run_tests.presets.ROOT
+
+
+def included_by(folder):
+    """All headers of the project that sources of a folder include, and what implements these; but what the catalogue makes
+    by a name is not included."""
+    waiting = [path.relative_to(ROOT) for path in folder.rglob("*.[ch]pp")]
+    found = set()
+    while waiting:
+        path = waiting.pop()
+        if path in found or path.name.startswith("catalogue.") or not (ROOT / path).exists():
+            continue
+        found.add(path)
+        waiting += [pathlib.Path(each) for each in re.findall(r'^#include "(canvoy/[^"]+)"', (ROOT / path).read_text(), re.MULTILINE)]
+        waiting += [path.with_suffix(".cpp")] if path.suffix == ".hpp" else []
+    return found
+
 
 REPORT = xml.fromstring(
     """<testsuite>
@@ -160,11 +180,16 @@ class RunTests(unittest.TestCase):
             self.assertEqual(run_tests.PassedPrograms(root, build, (name,)).unchanged, [])
 
     def test_each_test_that_compiles_sources_itself_is_there(self):
-        lines = (run_tests.presets.ROOT / "tests/embed/CMakeLists.txt").read_text()
+        lines = (ROOT / "tests/embed/CMakeLists.txt").read_text()
         for name, patterns in run_tests.SOURCES.items():
-            self.assertIn(name, lines)
+            self.assertTrue(name in lines or (ROOT / "canvoy/worlds" / name.removeprefix("worlds_")).is_dir(), name)
             for pattern in patterns:
-                self.assertTrue(any(run_tests.presets.ROOT.glob(pattern)), pattern)
+                self.assertTrue(any(ROOT.glob(pattern)), pattern)
+
+    def test_a_world_includes_no_other_devices_than_those_that_its_tests_are_run_again_for(self):
+        for world, folders in passed_programs.DEVICES_OF.items():
+            found = {path.parts[2] for path in included_by(ROOT / "canvoy/worlds" / world) if path.parts[:2] == ("canvoy", "devices") and len(path.parts) > 3}
+            self.assertLessEqual(found, {"kit", *folders}, world)
 
 
 if __name__ == "__main__":
