@@ -10,6 +10,7 @@ import select
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -34,6 +35,9 @@ class Socketcand(CommandTest):
         self.server = Server()
         self.addCleanup(self.server.stop)
         self.bus = f"tcp:127.0.0.1:{self.server.port}/can0"
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
 
     def start(self, *arguments):
         program = subprocess.Popen([CANVOY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -115,6 +119,35 @@ class Socketcand(CommandTest):
         self.assertIn("7A0#01", output)
         self.assertIn("the server has closed the connection", errors)
         self.assertEqual(monitor.returncode, DONE)
+
+    def test_what_listens_says_that_the_server_has_gone(self):
+        """Each verb that tells of a bus what it heard, or waits for an answer: what it says, and its exit status."""
+        log = self.folder / "long.log"
+        log.write_text("".join(f"({second}.000000) can0 705#05\n" for second in range(1000, 2000)))
+        closed = "the server has closed the connection"
+        for arguments, status, said in (
+            (("doctor", self.bus, "--for", "3s"), 4, "the connection to the bus was lost"),
+            (("stats", self.bus, "--for", "3s"), FAILED, "the bus was lost meanwhile"),
+            (("load", self.bus, "--for", "3s", "--bit-rate", "125"), FAILED, "the bus was lost"),
+            (("replay", str(log), self.bus), FAILED, closed),
+            (("read", self.bus, "10", "1000", "--watch"), FAILED, closed),
+            (("monitor", self.bus, "--for", "3s"), DONE, closed),
+            (("monitor", self.bus, "--for", "3s", "--table"), DONE, closed),
+            (("record", self.bus, "--for", "3s", "--output", str(self.folder / "a.log")), DONE, closed),
+            (("report", self.bus, "--for", "3s", "--output", str(self.folder / "a.html")), DONE, closed),
+        ):
+            with self.subTest(arguments=arguments[0]):
+                server = Server()
+                bus = f"tcp:127.0.0.1:{server.port}/can0"
+                device = self.start("device", "battery", bus, "--node-id", "10")
+                self.wait_until(lambda: server.clients, "the device does not come")
+                program = self.start(*(bus if word == self.bus else word for word in arguments))
+                self.wait_until(lambda: len(server.clients) > 1 and len(server.said) > 1, "the command does not come")
+                server.stop()
+                output, errors = program.communicate(timeout=PATIENCE)
+                device.terminate()
+                self.assertIn(said, output + errors)
+                self.assertEqual(program.returncode, status, output + errors)
 
     def test_a_server_that_says_nothing_is_asked_anew(self):
         monitor = self.start("monitor", self.bus, "--filter", "id=7A0", "--count", "1")

@@ -43,6 +43,11 @@ bool follows_from_can_id_twice(FindingKind kind) {
 bool follows_from(const Finding& finding, const Finding& cause) {
   using enum FindingKind;
   if (&finding == &cause) return false;
+  if (cause.kind == lost_bus) {
+    const bool is_absence = finding.kind == no_traffic || finding.kind == silence ||
+                            finding.kind == heartbeat_missing || finding.kind == heartbeat_late;
+    return is_absence && finding.last >= cause.first;
+  }
   if (cause.kind == node_id_twice) {
     return is_same_node(finding, cause) && follows_from_twice(finding.kind);
   }
@@ -85,6 +90,12 @@ void Doctor::add_sheet(NodeId node, const formats::DataSheet& sheet) {
 void Doctor::begin(Time at) {
   bus_.begin = bus_.end = at;
   has_begun_ = true;
+}
+
+void Doctor::lose(Time at, std::string_view why) {
+  if (!has_begun_) begin(at);
+  bus_.losses.add(at);
+  bus_.loss = why;
 }
 
 void Doctor::hear(Time at, const Frame& frame) {

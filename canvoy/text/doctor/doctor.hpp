@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/text/doctor/finding.hpp"
@@ -39,6 +40,9 @@ class Doctor {
   /// Takes any frame: data, remote or error. A time before that of the previous frame is taken as
   /// that time.
   void hear(Time at, const Frame& frame);
+  /// Takes that the connection to the bus was lost, and why. What follows from it, as silence, is
+  /// no finding of its own.
+  void lose(Time at, std::string_view why);
   /// Findings up to `end`, the worst first. Omits findings that only follow from others on the
   /// list. To be called once, after all frames.
   Findings findings(Time end);

@@ -143,6 +143,29 @@ TEST(Doctor, TellsSilenceAsANoteAndNotAsAnAlarm) {
   EXPECT_EQ(text::worst_of(findings), text::Severity::note);
 }
 
+TEST(Doctor, TellsALostConnectionAndNotTheSilenceBehindIt) {
+  Doctor sut;
+  sut.begin(Time(1s));
+  beat(sut, Time(1s), Time(10s), 500ms);
+  sut.lose(Time(11s), "can0: the interface is down");
+  const Findings findings = sut.findings(Time(60s));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings.front().kind, FindingKind::lost_bus);
+  EXPECT_EQ(findings.front().first, Time(11s));
+  EXPECT_NE(findings.front().what.find("the interface is down"), std::string::npos);
+  EXPECT_EQ(text::worst_of(findings), text::Severity::error);
+}
+
+TEST(Doctor, TellsASilenceThatWasOverBeforeTheConnectionWasLost) {
+  Doctor sut;
+  beat(sut, Time(1s), Time(10s), 500ms);
+  beat(sut, Time(20s), Time(30s), 500ms);
+  sut.lose(Time(31s), "can0: the interface is down");
+  const Findings findings = sut.findings(Time(32s));
+  EXPECT_NE(find(findings, FindingKind::lost_bus), nullptr);
+  EXPECT_NE(find(findings, FindingKind::silence), nullptr);
+}
+
 TEST(Doctor, IsNotLedAstrayByTimesThatJumpBack) {
   Doctor sut;
   beat(sut, Time(100s), Time(110s), 500ms);

@@ -14,6 +14,11 @@ using enum FindingKind;
 using enum Severity;
 
 constexpr auto rows = std::to_array<FindingRow>({
+    {lost_bus, "lost-bus", error, "the connection to the bus was lost",
+     "What came meanwhile was not heard, and what is said here does not count for it.",
+     "Is the interface up (ip -details link), its adapter plugged in? Does the server run that the "
+     "address names?",
+     "Bring the connection back, then listen again.", judge_lost_bus},
     {no_traffic, "no-traffic", error, "nothing is heard",
      "Without frames no device works with another one; heartbeats alone would be some each second.",
      "Is the power on? With a multimeter, CAN_H and CAN_L against ground: some 2.5 V each on a bus "

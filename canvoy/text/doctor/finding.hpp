@@ -19,6 +19,7 @@ namespace canvoy::text {
 
 /// Kinds in the order of the rows; a report lists kinds of the same severity in this order.
 enum class FindingKind : std::uint8_t {
+  lost_bus,
   no_traffic,
   wrong_bit_rate,
   not_acknowledged,

@@ -27,6 +27,8 @@ void judge_bus_errors(const Observed& bus, Findings& findings);
 void judge_errors_at_node(const Observed& bus, Findings& findings);
 /// Frames took more than TrafficWatch::load_most of a second.
 void judge_load_peak(const Observed& bus, Findings& findings);
+/// The connection to the bus was lost.
+void judge_lost_bus(const Observed& bus, Findings& findings);
 /// No frame was heard for TrafficWatch::silence_least or longer.
 void judge_silence(const Observed& bus, Findings& findings);
 /// The CAN-ID with nearly all errors, though others have most of the frames.

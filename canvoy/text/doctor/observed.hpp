@@ -322,6 +322,8 @@ struct Observed {
   Time begin{};               ///< start of listening
   Time end{};                 ///< last frame, or end of listening
   KnownParameters known;      ///< parameters from nodes and sheets
+  Tally losses{};             ///< of the connection to the bus
+  std::string loss{};         ///< reason of the last one
   TrafficWatch traffic;       ///< amount of traffic, by sender
   ErrorWatch errors;          ///< error frames, by sender of the affected frames
   HeartbeatWatch heartbeats;  ///< by node

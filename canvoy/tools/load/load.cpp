@@ -224,6 +224,10 @@ std::vector<LoadedBus> load_of_bus(const LoadOptions& options) {
     });
   }
   session.run_for(length);
+  if (session.was_lost()) {
+    throw Failure(fmt::format("{}: the bus was lost while it was listened to: no load is told",
+                              options.source));
+  }
   std::vector<LoadedBus> buses = load.buses(length);
   for (LoadedBus& bus : buses) {
     const auto link = host::read_can_link(bus.name);

@@ -75,8 +75,19 @@ Session::Session(std::string_view bus, AnswerTime time_out)
   for (const host::BusAddress& other : std::span(addresses).subspan(1)) {
     others_.push_back(value_or_throw(host::open_bus(*loop_, other)));
   }
+  for (host::HostBus* each : buses()) follow(*each);
   join();
   ok_or_throw(loop_->stop_on_signals());
+}
+
+void Session::follow(host::HostBus& bus) {
+  bus.on_trouble([this](const host::Error& error) {
+    loss_ = error.line();
+    was_lost_ = true;
+  });
+  bus.on_state([this](BusState state, Time) {
+    if (state == BusState::error_active) loss_.clear();
+  });
 }
 
 Session::~Session() = default;
@@ -197,7 +208,11 @@ SdoEnd Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCo
   end_ = started;
   if (started == AbortCode::none) run();
   if (loop_->signal() != 0) throw Failure("interrupted");
-  if (!end_.is_silence()) return end_;
+  if (!end_.is_silence()) {
+    loss_.clear();
+    return end_;
+  }
+  if (!loss_.empty()) throw Failure(loss_);
   throw Failure(fmt::format(
       "{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
       node_text(node), text::object_text(index, sub), text::duration_text(limit_), bus_->name()));
@@ -242,6 +257,7 @@ void Session::send(const Frame& frame) {
     loop_->run_until(std::min(until, loop_->now() + Duration(1ms)));
   }
   if (bus_->counters().sent == sent) {
+    if (!loss_.empty()) throw Failure(loss_);
     throw Failure(fmt::format("{}: the frame did not get onto the bus; is it up?", bus_->name()));
   }
 }

@@ -68,6 +68,12 @@ class Session {
   /// Runs the loop for this time, or until it is stopped. Throws Failure if the user interrupts it.
   void run_for(Duration duration);
 
+  /// Why a bus cannot be reached at present, as its carrier says; empty: none is lost. Of a bus
+  /// without states, as UDP, it stays until a node answers.
+  const std::string& loss() const { return loss_; }
+  /// Whether a bus was lost at any time, if it has come back or not.
+  bool was_lost() const { return was_lost_; }
+
   host::EventLoop& loop() { return *loop_; }
   /// The node without a node-ID that sends the requests.
   Node& node() { return *node_; }
@@ -81,6 +87,7 @@ class Session {
     RemoteSettings settings{};
   };
 
+  void follow(host::HostBus& bus);
   void join();
   NodeId server_of(NodeId node);
   void confirmed(const Frame& frame, Time now);
@@ -111,6 +118,8 @@ class Session {
   bool shows_progress_ = false;
   SdoEnd end_ = SdoEnd::no_answer();
   std::vector<std::uint8_t> read_;
+  std::string loss_;
+  bool was_lost_ = false;
 };
 
 /// Reads the address of a bus, not of a log, which can only be listened to. Throws UsageError.

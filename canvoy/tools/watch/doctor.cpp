@@ -185,8 +185,10 @@ class BusDoctor {
     if (doctor == nullptr) return;
     doctor->begin(session_.loop().now());
     bus.on_frame([doctor](const host::BusFrame& heard) { doctor->hear(heard.time, heard.frame); });
-    bus.on_trouble(
-        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
+    bus.on_trouble([this, doctor](const host::Error& error) {
+      print_message(fmt::format("canvoy: {}", error.line()));
+      doctor->lose(session_.loop().now(), error.line());
+    });
   }
 
   /// The answers are heard like all other frames.

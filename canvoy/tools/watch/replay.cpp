@@ -67,6 +67,7 @@ class Replay {
     // Waiting frames are sent before the bus is closed.
     if (!is_over_) session_.loop().run_until(session_.loop().now() + Duration(20ms));
     tell();
+    if (!session_.loss().empty()) throw Failure(session_.loss());
     return is_over_ ? exit_failed : exit_done;
   }
 
@@ -126,6 +127,8 @@ class Replay {
     host::HostBus& bus = bus_of(heard.channel);
     constexpr int tries_max = 10'000;
     for (int tries = 0; !bus.send(heard.frame); ++tries) {
+      is_over_ = !session_.loss().empty();
+      if (is_over_) return;
       if (tries == tries_max) {
         throw Failure(fmt::format(
             "{} takes no frames: is another node there to acknowledge, at the same bit rate?",

@@ -88,6 +88,8 @@ class Statistics {
     const Duration time =
         options_.duration.empty() ? listen_time : parse_duration_argument(options_.duration);
     session.loop().run_until(session.loop().now() + time);
+    if (frames_ == 0 && !session.loss().empty()) throw Failure(session.loss());
+    was_lost_ = session.was_lost();
     if (frames_ == 0) {
       throw Failure(options_.source + ": no frame was heard; --for 1min listens longer");
     }
@@ -106,6 +108,17 @@ class Statistics {
     refuse_log_without_frames(options_.source, trace);
   }
 
+  /// Prints the table, and returns the exit status.
+  int report() const {
+    print();
+    if (!was_lost_) return exit_done;
+    print_message(
+        fmt::format("canvoy: {}: the bus was lost meanwhile; what is told is of what was heard",
+                    options_.source));
+    return exit_failed;
+  }
+
+ private:
   void print() const {
     if (options_.json) return print_json();
     fmt::print("{:<8} {:<19} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "CAN-ID", "service", "frames",
@@ -122,7 +135,6 @@ class Statistics {
                static_cast<double>(frames_) / seconds(), load_text());
   }
 
- private:
   void take(const formats::TraceFrame& heard) {
     if (frames_++ == 0) first_ = heard.time;
     last_ = std::max(last_, heard.time);
@@ -200,6 +212,7 @@ class Statistics {
   std::uint64_t bits_ = 0;
   Time first_{};
   Time last_{};
+  bool was_lost_ = false;
 };
 
 }  // namespace
@@ -228,8 +241,7 @@ void add_stats(Verb& app) {
     } else {
       statistics.listen();
     }
-    statistics.print();
-    return exit_done;
+    return statistics.report();
   });
 }
 

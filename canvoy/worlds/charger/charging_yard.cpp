@@ -204,8 +204,8 @@ ChargingYard::Watch::Watch(ChargingYard& of_yard, BusIndex at)
       bus(at),
       of_nodes(at, [this](Time now, const BusEvent& event) { yard->heard(bus, now, event); }) {}
 
-ChargingYard::ChargingYard(const YardOptions& options)
-    : options_(options),
+ChargingYard::ChargingYard(YardOptions options)
+    : options_(std::move(options)),
       bays_(make_bays(world_, options_)),
       collected_(bays_.size()),
       vehicles_(options_, bays_,

@@ -128,7 +128,7 @@ struct YardSnapshot {
 class ChargingYard {
  public:
   /// Makes bays and vehicles, and gives the devices power at time 0; no battery is at a cable yet.
-  explicit ChargingYard(const YardOptions& options);
+  explicit ChargingYard(YardOptions options);
   ChargingYard(const ChargingYard&) = delete;
   ChargingYard& operator=(const ChargingYard&) = delete;
 
