@@ -1,9 +1,10 @@
 // Writes and reads a frame as text in the format of can-utils: 185#1E2F, 00000185#R8,
 // 20000004#0004000000000000 (an error frame).
 //
-//     FrameText text{Frame::data_frame(0x185, {0x1E, 0x2F})};           // text.view() ==
-//     "185#1E2F" ParsedFrame parsed = parse_frame("123#DEADBEEF");                 // if (parsed)
-//     send(parsed.frame);
+//     FrameText text{Frame::data_frame(0x185, {0x1E, 0x2F})};
+//     text.view();  // 185#1E2F
+//     ParsedFrame parsed = parse_frame("123#DEADBEEF");
+//     if (parsed) send(parsed.frame);
 #pragma once
 
 #include <array>

@@ -2,8 +2,7 @@
 // not UTF-8 as Windows-1252, and ends a line at a lone carriage return.
 //
 //     DecodedText sheet = decode_text(bytes);
-//     if (!sheet.remark().empty()) say(sheet.remark());     // "it is no UTF-8: read as
-//     Windows-1252"
+//     if (!sheet.remark().empty()) say(sheet.remark());  // it is no UTF-8: read as Windows-1252
 #pragma once
 
 #include <cstddef>

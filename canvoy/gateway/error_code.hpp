@@ -1,7 +1,7 @@
 // Error codes that a gateway answers instead of an SDO abort code, and errors that it reports by
 // itself (CiA 309-3; codes as in CANopenNode and Lely CANopen).
 //
-//     answer_text(7, Answer::of(ErrorCode::syntax), Version::v3_0);  // [7] ERROR:101
+//     answer_text(7, Answer::failed(ErrorCode::syntax), Version::v3_0);  // [7] ERROR:101
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The PDOs of the gateway: set up, read and written by a client (CiA 309-1, PDO access services).
 //
-//     PdoAccess pdo(device, 1);
-//     Answer answer = pdo.set_rpdo(3, setup);
+//     PdoAccess pdo(device, 1, received);
+//     Answer answer = pdo.set(PdoDirection::receive, 3, setup);
 #pragma once
 
 #include <functional>

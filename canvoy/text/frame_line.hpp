@@ -28,7 +28,7 @@ void append_frame_line(std::string& line, const FrameHead& head, const FrameWord
 /// its name is empty, and `10:` for a node. Text longer than `width` continues on indented lines;
 /// nothing is cut off.
 ///
-///     12.345 18A#A00001           TPDO1 10: temperature = 20.000 °C
+/// `12.345 18A#A00001           TPDO1 10: temperature = 20.000 °C`
 void append_narrow_line(std::string& line, const FrameHead& head, const FrameWords& words,
                         std::string_view text, std::size_t width);
 /// Appends the end of a line: `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`.

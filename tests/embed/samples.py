@@ -12,6 +12,9 @@ import re
 COMMENTED = re.compile(r"\s*///? {5}(.*)$")
 BLANK_COMMENT = re.compile(r"\s*///?\s*$")
 OPEN, CLOSE = "([{", ")]}"
+# What a sample may call its own objects although functions have these names, in a namespace of the library or in C.
+READERS = ["battery", "charger", "close", "degrees", "device", "door", "fail", "index", "input", "load", "log", "open", "panel", "profile", "read",
+           "send", "store", "time"]  # fmt: skip
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,6 +67,8 @@ def with_ellipses_filled(text):
     text = re.sub(r"\)\s*\.\.\.\s*$", ") {}", text, flags=re.M)
     text = re.sub(r"(?m)^\s*\.\.\.\s*;?\s*$", "", text)
     text = re.sub(r"\{\s*\.\.\.\s*\}", "{}", text)
+    text = re.sub(r"(\.\w+ = [^{}]*),\s*\.\.\.(?=\s*\})", r"\1", text)
+    text = re.sub(r"(?<=[;}])\s*\.\.\.(?=\s*\})", "", text)
     return re.sub(r"(?<=[=,({])\s*\.\.\.(?=\s*[,)};])", " any_value", text)
 
 
@@ -95,8 +100,20 @@ def code_of(sample):
     return with_ellipses_filled("\n".join(without_comment(line) for line in sample.text.splitlines())).split("\n")
 
 
+def readers_objects(text):
+    """The objects of the reader that have the name of a function in the library or in C."""
+    return [name for name in READERS if re.search(rf"(?<![\w.:>&]){name}(?![\w(<:{{=]| =|::| \w)", text)
+            and not re.search(rf"(?<![\w.:>&]){name}[<(]", text)]  # fmt: skip
+
+
+def at_class_scope(text):
+    """What stands outside of functions, as members of a class: constants are static there."""
+    return re.sub(r"(?m)^(?:inline )?(?:constinit |(?=constexpr))", "inline static ", text)
+
+
 def variants_of(sample, number, parameters):
-    """The ways in which a sample can be read, by name: as statements, with semicolons, as declarations, as a value."""
+    """The ways in which a sample can be read, by name: as statements, with semicolons, as declarations, as members of a class,
+    as those and statements after an empty line, as a value."""
     lines = code_of(sample)
     text = "\n".join(lines)
     if not is_balanced(text) or text.count('"') % 2:
@@ -105,21 +122,28 @@ def variants_of(sample, number, parameters):
     opening = f"namespace canvoy {{ {f'namespace {scope} {{' if scope else ''}"
     closing = "}}" if scope else "}"
 
-    def function(name, body):
-        # What has members named by `::` is a class of the reader; all else a value.
-        unknown = parameters.get((number, name), [])
-        classes = [each for each in unknown if re.search(rf"(?<![\w.:]){each}::", text)]
-        names = [*(each for each in unknown if each not in classes), "any_value"]
-        types = ", ".join(f"class {each}" for each in [*classes, *(f"T{index}" for index in range(len(names)))])
-        values = ", ".join(f"T{index}&& {each}" for index, each in enumerate(names))
+    def read_as(name, body, members="", skipped=0):
+        # What has members named by `::`, or a capital, is a class of the reader; all else an object, which a lambda need not capture.
+        unknown = [*parameters.get((number, name), []), *readers_objects(text)]
+        classes = [each for each in unknown if each[0].isupper() or re.search(rf"(?<![\w.:]){each}::", text)]
+        names = [*dict.fromkeys(each for each in unknown if each not in classes), "any_value"]
+        types = ", ".join(f"class {each}" for each in [*classes, *(f"T{index}" for index in range(len(names))), "Returned"])
+        objects = " ".join(f"static T{index} {each};" for index, each in enumerate(names))
+        place = f'#line {sample.line} "{number}/{name}"\n'
         # A member function: `*this` is the object of the reader.
-        head = f"{opening} struct Sample_{number}_{name} {{ template <{types}> void read({values}) {{"
-        return f'{head}\n#line {sample.line} "{number}/{name}"\n{body}\n}}}};{closing}\n'
+        read = f'Returned read_sample() {{\n#line {sample.line + skipped} "{number}/{name}"\n{body}\n}}'
+        return f"{opening} template <{types}> struct Sample_{number}_{name} {{ {objects}\n{place}{members}\n{read} }};{closing}\n"
 
     declarations = f'{opening} namespace sample_{number} {{\n#line {sample.line} "{number}/declared"\n{text}\n}}{closing}\n'
-    return {
-        "stated": function("stated", text),
-        "ended": function("ended", "\n".join(with_semicolons(lines))),
+    ended = with_semicolons(lines)
+    variants = {
+        "stated": read_as("stated", text),
+        "ended": read_as("ended", "\n".join(ended)),
         "declared": declarations,
-        "given": function("given", "any_value({" + "\n".join(lines).rstrip(" ;,") + "});"),
+        "members": read_as("members", "", at_class_scope(text)),
+        "given": read_as("given", "any_value({" + "\n".join(lines).rstrip(" ;,") + "});"),
     }
+    if "" in lines:
+        gap = lines.index("")
+        variants["parted"] = read_as("parted", "\n".join(ended[gap:]), at_class_scope("\n".join(lines[:gap])), gap)
+    return variants

@@ -78,6 +78,22 @@ class Samples(unittest.TestCase):
         self.assertIn("subtract", left[0][0][1])
         self.assertEqual(left[0][0][0], 11)
 
+    @unittest.skipIf(COMPILER is None, "clang is missing")
+    def test_a_sample_is_what_stands_in_a_function_or_in_a_class(self):
+        self.assertEqual(self.left("struct Mine {\n  static constexpr int limit = 5;\n};\n\nCounter counter({.limit = Mine::limit});",
+                                   "if (ended) return fail(error);\ncounter.each([](int frame) { show(frame); });",
+                                   "int frame = first_of(frame);", "void told() { show(frame); }", "Options options = {.limit = 5, ...};",
+                                   "time[Mine{}] = read.now();"), {})  # fmt: skip
+        self.assertEqual(sorted(self.left("struct Mine {\n  Counter counter{bound()};\n};\n\nCounter::substract(5);", "return Counter().add(5);")), [0, 1])
+
+    @unittest.skipIf(COMPILER is None, "clang is missing")
+    def test_a_compiler_that_fails_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            small = Small(folder)
+            small.precompiled.write_text("no header")
+            with self.assertRaises(SystemExit):
+                small.errors_of("int x;")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,7 +2,8 @@
 // is due.
 //
 //     std::unique_ptr<EventLoop> loop = *EventLoop::create();
-//     Attachment charger(*loop, *bus);  ...  charger.attach(node);
+//     Attachment charger(*loop, *bus);
+//     charger.attach(node);
 //     loop->stop_on_signals();
 //     loop->run();
 #pragma once

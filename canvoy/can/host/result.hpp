@@ -2,8 +2,8 @@
 // the value, or the one line that the user needs: where, what, and what to do.
 //
 //     Result<CandumpWriter> log = CandumpWriter::create("bus.log");
-//     if (!log) return fail(log.error().line());     // bus.log: permission denied; choose another
-//     folder
+//     // bus.log: permission denied; choose another folder
+//     if (!log) return fail(log.error().line());
 #pragma once
 
 #include <string>

@@ -10,9 +10,8 @@
 //
 // On a small machine, what is known at compile time needs no code to be constructed:
 //
-//     using Device = DeviceServices<layout>;
-//     constinit Device::Memory memory{};
-//     constinit Device device(memory, port, 5);
+//     constinit DeviceServices<layout>::Memory memory{};
+//     constinit DeviceServices<layout> device{memory, port, 5};
 #pragma once
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // static_assert is a literal, and the cause of a failed constant expression is reported many lines
 // below; but compilers print the name of an undefined type, with its arguments, at once:
 //
-//     error: ... incomplete type 'canvoy::wrong::Device<canvoy::Words<22>{"1018h Identity object"},
-//     canvoy::Words<14>{"01h Vendor-ID"}, canvoy::Words<31>{"CiA 301: every device has it"}>'
+// `error: ... incomplete type 'canvoy::wrong::Device<canvoy::Words<22>{"1018h Identity object"},
+// canvoy::Words<14>{"01h Vendor-ID"}, canvoy::Words<31>{"CiA 301: every device has it"}>'`
 //
 //     static_assert(Must<is_there, wrong::Device<object_words, entry_words, rule>>::hold);
 //

@@ -5,7 +5,7 @@
 // this implementation.
 //
 //     DynamicSdoState state(dictionary.number(0x1F10, 0));
-//     if (state.status == DynamicSdoState::Status::connected) use(state.client_number());
+//     if (state.status == DynamicSdoState::Status::connected) use(state.client_parameter);
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // additions of CiA 302-2.
 //
 //     constexpr auto layout = lay_out_device<my_master>();  // with cia302::nmt_master()
-//     MasterNode<layout, {.slots = 8}> master(port, 127);
+//     MasterNode<layout, MasterSize{.slots = 8}> master(port, 127);
 //     master.boot_manager().on_report(...);
 //     master.node().start(now);
 #pragma once

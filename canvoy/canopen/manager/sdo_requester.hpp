@@ -5,8 +5,7 @@
 //
 //     SdoRequester requester(node, {.manager_client = 0});
 //     requester.connect(10, 1, SdoRequester::Done::to<&Charger::connected>(*this));
-//     ... SdoClient(node, 1).upload(10, 0x1000, 0, ...);
-//     requester.release(1);
+//     requester.release(1);  // when the transfers of SDO client 1 are done
 #pragma once
 
 #include <array>

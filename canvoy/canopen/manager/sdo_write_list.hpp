@@ -1,7 +1,7 @@
 // A list of short values that are written one after the other into the dictionaries of other nodes,
 // and of the own node: for opening and closing connections by an SDO manager (CiA 302-5).
 //
-//     writes.begin(SdoWriteList::Done::to<&SdoManager::written>(*this));
+//     writes.begin(SdoWriteList::Done::to<&Opening::ended>(*this));
 //     writes.add({.node = 10, .index = 0x1201, .sub = 1, .value = 0x640});
 //     writes.run();
 #pragma once

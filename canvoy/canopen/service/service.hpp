@@ -2,11 +2,18 @@
 // dictionary. A service of every small node handles all events in one function; where code size
 // matters less, a constant table of functions does so, and applications use callbacks (Service).
 //
-//     class Sync : private NodeService { ... };      // node.attach(*this)
-//     Sync::Sync(Node& node) : NodeService({told, 0x1005, 0x1019}) ...
+//     struct Beat : NodeService {
+//       explicit Beat(Node& node) : NodeService({told, 0x1005, 0x1019}) { node.attach(*this); }
+//       static void told(NodeService& beat, ServiceEvent& event);
+//     };
 //
-//     constexpr ServiceHandlers TimeStamp::service_calls = {.reset = method<&TimeStamp::reset>};
-//     HandlerBinding service_{&service_calls, this};    // node.attach(service_)
+//     struct Counter {
+//       void reset(ResetScope scope);
+//     };
+//     constexpr ServiceHandlers calls = {.reset = method<&Counter::reset>};
+//
+//     HandlerBinding binding(&calls, &counter);
+//     node.attach(binding);
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // A stored set of parameters: a concise DCF, so that a device stores the format that a
 // configuration manager sends to it (CiA 302-3, object 1F22h).
 //
-//     number of entries   Unsigned32
-//     then for each       index Unsigned16, sub-index Unsigned8, length Unsigned32, value
+// - number of entries: Unsigned32
+// - then for each: index Unsigned16, sub-index Unsigned8, length Unsigned32, value
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
 // TIME_OF_DAY and TIME_DIFFERENCE in the form of the wire and of the dictionary, and conversion to
 // dates (CiA 301, 7.1.6.5, 7.1.6.6 and 7.2.6).
 //
-//     constexpr TimeOfDay leap_day = *to_time_of_day(sys_days{2024y / 2 / 29} + 12h);
+//     using namespace std::chrono;
+//     constexpr TimeOfDay leap_day = *to_time_of_day(sys_days{year{2024} / 2 / 29} + 12h);
 //     static_assert(leap_day == TimeOfDay{.milliseconds = 43'200'000, .days = 14'669});
 #pragma once
 

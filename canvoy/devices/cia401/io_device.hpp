@@ -6,7 +6,9 @@
 // A maker has a separate kind, with its own identity and number of inputs and outputs:
 //
 //     struct Valves : IoKind<IoOptions{.digital_outputs = 16}> {
-//       static constexpr auto description = describe(io_module<...>(), cia301::identity({...}));
+//       static constexpr auto description = describe(
+//           io_module<IoOptions{.digital_outputs = 16}>(), cia301::identity({.vendor_id = 0x123}),
+//           cia301::heartbeat_producer(1000));
 //     };
 #pragma once
 

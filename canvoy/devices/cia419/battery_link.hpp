@@ -2,7 +2,7 @@
 // (CiA 419, 6.1 and 7.2.4).
 //
 //     BatteryLink link(node);
-//     link.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::link_up>(*this));
+//     link.on_answered(Callback<void(const BatteryOffer&)>::to<&Charging::begin>(*this));
 //     link.ask(battery_id);
 #pragma once
 

@@ -9,7 +9,7 @@
 //
 //     struct Seat : cia852::OperatorKind<elements> {
 //       static constexpr auto description =
-//           describe(cia852::operator_module<elements>(), cia301::identity({...}));
+//           describe(cia852::operator_module<elements>(), cia301::identity({.vendor_id = 0x123}));
 //     };
 #pragma once
 

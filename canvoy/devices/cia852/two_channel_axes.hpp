@@ -3,7 +3,7 @@
 // or no_position.
 //
 //     TwoChannelAxes axes(first, second, {.deviation_most = 1600, .deviates_most = 100ms});
-//     OperatorDevice seat(port, 10, {.joystick_axis = axes.checked()});
+//     OperatorDevice<elements> seat(port, 10, {.joystick_axis = axes.checked()});
 //     axes.connect(seat.node(), seat.unit());
 //
 // Readings that differ by more than the bound for longer than the time make the axis invalid, which

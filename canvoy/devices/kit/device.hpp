@@ -11,11 +11,11 @@
 //       static constexpr DeviceInfo info = {.name = "lift-load", ...};  // for people
 //       static constexpr auto description = describe(...);  // its objects; a maker has its own
 //       template <const auto& device> static constexpr auto lay_out();  // its memory
-//       using Unit = LoadMeasuringUnit;
-//       using Hardware = LoadHardware;    // or NoHardware
-//       using Settings = LoadSettings;
+//       using Unit = cia417::LoadMeasuringUnit;
+//       using Hardware = cia417::LoadHardware;  // or NoHardware
+//       using Settings = cia417::LoadSettings;
 //       // What its profile wants of all devices, or NoProfileBehaviour.
-//       using ProfileBehaviour = LiftBehaviour;
+//       using ProfileBehaviour = cia417::LiftBehaviour;
 //       static Hardware simulated();    // for the catalogue, where an idle one will not do
 //       static Settings fit(Settings);  // to what the description says
 //       template <class Made, class Services>  // Made is Unit, or UnitOn<layout>

@@ -1,8 +1,9 @@
 // A kind of device as one row of the catalogue: its description, and how to build it. The templates
 // of a device are instantiated only in the source that makes its row.
 //
-//     const DeviceKind light_barrier = {.info = LightBarrierKind<>::info, .profile = &profile,
-//                                       .forms = forms_of_doors<LightBarrierKind>};
+//     const DeviceKind light_barrier = {.info = cia417::LightBarrierKind<>::info,
+//                                       .profile = &cia417::profile,
+//                                       .forms = cia417::forms_of_doors<cia417::LightBarrierKind>};
 #pragma once
 
 #include <cstddef>

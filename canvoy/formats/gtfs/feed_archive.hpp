@@ -1,8 +1,9 @@
 // A GTFS feed as files: a folder, a zip archive, or texts in memory. Each file is read in pieces.
 //
-//     Result<FeedArchive> archive = FeedArchive::open("feed.zip");
-//     Result<FeedFile> stops = archive->file("stops.txt");
-//     while (Result<std::size_t> count = stops->read(buffer)) ...    // 0: its end
+//     host::Result<FeedArchive> archive = FeedArchive::open("feed.zip");
+//     host::Result<FeedFile> stops = archive->file("stops.txt");
+//     host::Result<std::size_t> count = stops->read(buffer);
+//     for (; count && *count != 0; count = stops->read(buffer)) use(buffer, *count);
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Reads a GTFS feed from a folder or a zip archive. Keeps the requested route of a feed with all
 // trips of a city.
 //
-//     Result<Feed> feed = read_feed("feed.zip", "42");
+//     host::Result<Feed> feed = read_feed("feed.zip", "42");
 //     if (!feed) return fail(feed.error().line());   // feed.zip/stops.txt line 7: stop_lat: ...
 #pragma once
 

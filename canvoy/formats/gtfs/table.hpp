@@ -2,9 +2,9 @@
 // error ends reading, and is reported with file, line and column.
 //
 //     constexpr std::string_view columns[] = {"stop_id", "stop_lat"};
-//     Result<Table> table = Table::open(archive, "stops.txt", columns);
+//     host::Result<Table> table = Table::open(archive, "stops.txt", columns);
 //     while (table->next()) table->number(1, -90, 90);
-//     if (!table->error()) ...
+//     if (table->error()) return fail(table->error()->line());
 #pragma once
 
 #include <cstddef>

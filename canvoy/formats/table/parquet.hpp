@@ -3,8 +3,8 @@
 // only where it stands is kept.
 //
 //     ParquetWriter table({{"time", ParquetType::time}, {"name", ParquetType::text}});
-//     table.column(0).add(time);
-//     table.column(1).add("temperature");
+//     table.column(0).add(since_1970);
+//     table.column(1).add(std::string_view("temperature"));
 //     table.end_row(bytes);      // appends what is full
 //     table.finish(bytes);
 #pragma once

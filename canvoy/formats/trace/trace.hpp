@@ -2,11 +2,11 @@
 // SQLite), read as one sequence of frames: in one pass, in flat memory, whatever the size of the
 // file; what it is shows its content.
 //
-//     Result<TraceReader> trace = TraceReader::open("bus.asc");
+//     host::Result<TraceReader> trace = TraceReader::open("bus.asc");
 //     TraceFrame heard;
 //     for (TraceRead read; (read = trace->next(heard)) != TraceRead::end;) {
 //       if (read == TraceRead::frame) decode(heard.time, heard.frame);
-//       if (read == TraceRead::bad) print(trace->where() + ": " + trace->problem());
+//       if (read == TraceRead::bad) print(trace->where(), trace->problem());
 //     }
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 //     Mf4Source source(file, group, start, kept);
 //     Mf4Frame frame;
-//     while (source.next(frame) != TraceItem::end) ...
+//     while (source.next(frame).item == TraceItem::frame) use(frame);
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 // has a slower, tolerant path for other lines.
 //
 //     TraceScanner line("  12.000125 1  185  Rx  d 2 1E 2F");
-//     if (!line.take_fixed(6, time) || !line.take_blanks()) return carefully();
+//     if (!line.take_fixed<6>(time) || !line.take_blanks()) return carefully();
 #pragma once
 
 #include <cstddef>

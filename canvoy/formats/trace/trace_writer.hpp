@@ -1,6 +1,6 @@
 // Writes frames to the log of a CAN tool, in any writable format of trace_format.hpp.
 //
-//     Result<TraceWriter> out = TraceWriter::create("bus.pcapng", TraceFormat::pcapng);
+//     host::Result<TraceWriter> out = TraceWriter::create("bus.pcapng", TraceFormat::pcapng);
 //     out->write(frame, "node 5 battery voltage 48.5 V");     // tshark shows the comment
 //     out->finish();
 #pragma once

@@ -3,7 +3,7 @@
 // the highest one `not_available` and `do_not_care`.
 //
 //     if (car[cia447::door_status_driver].is(cia447::Opening::closed)) ...
-//     roof_bar[cia447::roof_bar_light<"mlb1">] = cia447::Order::on;
+//     roof_bar[cia447::roof_bar_light_command<"mlb1">] = cia447::Order::on;
 //
 // The compiler checks in states_test.cpp that they have the codes of the tables.
 #pragma once

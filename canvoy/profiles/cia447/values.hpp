@@ -9,7 +9,7 @@
 //
 //     inline constexpr auto opening = status_values<3>("Open", "Closed");  // 2 to 5: reserved
 //     inline constexpr auto window_fields = side_by_side(field(3, "wd", "window driver", opening),
-//                                                        reserved(5));
+//                                                        reserved<5>());
 //     inline constexpr ObjectInfo window_status_object =
 //         variable_object(0x600B, "Window status", "4.2.2.6", "...",
 //                  status(DataType::unsigned8, Mapping::by_default, window_fields));

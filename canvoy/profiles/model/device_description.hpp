@@ -1,7 +1,7 @@
 // The contents of one kind of device, selected from all that the specifications describe: "my
 // device = these objects of CiA 301, this profile, and my own".
 //
-//     constexpr auto my_charger = describe(cia419::charger({.rpdos = 3, .tpdos = 3}),
+//     constexpr auto my_charger = describe(cia419::charger({.rpdo2 = true, .tpdo2 = true}),
 //                                          cia301::identity({.vendor_id = 0x123}),
 //                                          cia301::heartbeat_producer(1000),
 //                                          cia301::heartbeat_consumers(2),

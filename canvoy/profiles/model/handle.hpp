@@ -6,7 +6,7 @@
 //     std::optional<double> t = charger[cia419::battery_temperature].value();  // nothing: invalid
 //     charger[cia419::battery_temperature] = std::nullopt;               // writes the sentinel
 //     if (charger[cia419::battery_status].is(Readiness::ready)) ...
-//     panel[cia417::input_group.call(3, 17)] = ...  // of group 3 the input 17
+//     panel[cia417::output.property(3, 17)] = cia417::Property::flashing;  // output 17 of group 3
 //
 //     Bound<cia419::battery_voltage> voltage(node.dictionary());  // looked up once: for hot code
 //

@@ -1,7 +1,7 @@
 // The dictionary tables of a node, made at compile time from the description of its kind.
 //
 //     constexpr auto layout = lay_out_device<my_charger>();
-//     WireNode node(layout.tables(), 5);
+//     DeviceNode<layout> device(port, 5);
 //
 // An inconsistent description does not compile. The first error names object, entry and reason: a
 // default outside its range, a mapped object that does not exist or cannot be mapped, a mapping of

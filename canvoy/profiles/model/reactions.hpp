@@ -2,17 +2,20 @@
 // of its class. A row names a member function, and by handle or object the values to which it
 // applies. The function takes the parameters of the access that it needs.
 //
-//     AbortCode check_mode(Mode wanted);                            // State<Mode, ...>
-//     AbortCode check_speed(std::optional<Amount<Unit::volt>> wanted);  // Quantity of volts
-//     AbortCode check_unit(Raw<std::uint16_t> wanted);              // the bits, whatever they mean
+//     struct Scale {
+//       AbortCode check_load(std::optional<Amount<Unit::kilogram>> wanted);  // a Quantity
+//       AbortCode check_unit(Raw<std::uint16_t> wanted);  // the bits, whatever they mean
+//       void look_again();
+//       void reset(ResetScope scope);
+//     };
+//     constexpr AccessHandlers hooks[] = {
+//         before_write<&Scale::check_load, cia417::absolute_load_value>,
+//         before_write<&Scale::check_unit, cia417::load_si_unit>,
+//         after_write<&Scale::look_again, cia417::rope_ratio_nominator>};
+//     constexpr ServiceHandlers calls = {.reset = method<&Scale::reset>, .hooks = hooks};
 //
-//     constexpr AccessHandlers LoadMeasuringUnit::hook_calls[] = {
-//         before_write<&LoadMeasuringUnit::check_unit, load_si_unit>,
-//         after_write<&LoadMeasuringUnit::look_again, absolute_load_value, rope_ratio_nominator>};
-//     constexpr ServiceHandlers LoadMeasuringUnit::service_calls = {
-//         .reset = method<&LoadMeasuringUnit::reset>, .hooks = hook_calls};
-//
-//     HandlerBinding service_{&service_calls, this};  // node.attach(service_)
+//     HandlerBinding binding(&calls, &scale);
+//     node.attach(binding);
 //
 // An object stands for all of its entries; a handle for the entries of its name, in all objects of
 // their shape; two of either for the objects from the first to the last. Rows are called from the

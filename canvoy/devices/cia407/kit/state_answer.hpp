@@ -2,7 +2,7 @@
 // and 16 bits that the maker defines. The answer lasts as long as the request, so that each request
 // causes a message.
 //
-//     StateAnswer state_(device, Callback<std::uint16_t()>::to<&Unit::state>(*this));
+//     StateAnswer state_(device, Callback<std::uint16_t()>::to<&Counter::state>(*this));
 #pragma once
 
 #include "canvoy/devices/cia407/kit/virtual_devices.hpp"

@@ -1,8 +1,8 @@
 // The calls that a lift can answer: floors where its car has doors, and floors that are locked
 // unless a key is turned (CiA 417-4, 4.3.1: key locks 1 to 4).
 //
-//     ServedFloors served({.doors = {FloorSet::between(1, 20)}});
-//     served.doors_at(7)                                          // 0b0001
+//     ServedFloors served({FloorSet::between(1, 20)}, {});
+//     served.doors_at(7)  // 0b0001
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 //     CarDoorController doors(node, {.doors = 0b0011});
 //     doors.on_change(Callback<void()>::to<&LiftController::update>(lift));
 //     doors.open(0b0001);
-//     doors.view(1).state  // DoorState::opening
+//     doors.view(1).report.state;  // DoorState::opening
 //     LiftController lift(node, {.doors = doors.interface()}, ...);
 //
 // A command without effect is sent again: a frame was lost, or the door has restarted, or has

@@ -20,10 +20,10 @@ namespace canvoy::cia417 {
 /// Methods with a home switch use one edge of it, passed in one direction, whether the car is below
 /// it, at it or above it at the start:
 ///
-///     3, 4, 19, 20        the switch is on above some place: its edge, passed down (3, 19) or up
-///     5, 6, 21, 22        it is on below some place: its edge, passed up (5, 21) or down
-///     7 to 14, 23 to 30   it is on for a piece of the way: its lower edge, passed down (7, 14) or
-///                         up (8, 13); its upper edge, passed down (9, 12) or up (10, 11)
+/// - 3, 4, 19, 20: the switch is on above some place: its edge, passed down (3, 19) or up
+/// - 5, 6, 21, 22: it is on below some place: its edge, passed up (5, 21) or down
+/// - 7 to 14, 23 to 30: it is on for a piece of the way: its lower edge, passed down (7, 14) or
+///   up (8, 13); its upper edge, passed down (9, 12) or up (10, 11)
 ///
 /// With the switch off, methods 7 to 10 start upwards and 11 to 14 downwards, and turn once at the
 /// limit switch if that was the wrong way. Methods 3 to 14 use the first index pulse behind the

@@ -2,11 +2,13 @@
 // controller. The profile leaves this bus to the maker; it uses the records of the profile (see
 // docs/decisions.md).
 //
-//     lift n -> group  480h + n  6010h  a hall or destination call from a panel of lift n
-//                      400h + n  6011h  where lift n is, goes and stops, and whether it serves
-//     lift n -> group  500h + n  5F11h  the same calls by multiplexed PDOs, where it is asked to
-//     group -> lifts   480h + g  6010h  a call, and in its lift mask the lift that has to answer it
-//                      400h      6011h  a call is known, or done: for the panels
+// | from   | CAN-ID   | object | meaning                                                          |
+// | ------ | -------- | ------ | ---------------------------------------------------------------- |
+// | lift n | 480h + n | 6010h  | a hall or destination call from a panel of lift n                |
+// | lift n | 400h + n | 6011h  | where lift n is, goes and stops, and whether it serves           |
+// | lift n | 500h + n | 5F11h  | the same calls by multiplexed PDOs, where it is asked to         |
+// | group  | 480h + g | 6010h  | a call, and in its lift mask the lift that has to answer it      |
+// | group  | 400h     | 6011h  | a call is known, or done: for the panels                         |
 //
 // A node has its received records in 2010h and 2011h, as its sent ones are in 6010h and 6011h.
 #pragma once

@@ -8,7 +8,7 @@
 //     UpPeak up_peak(lifts, {.main_floor = 1});
 //     up_peak.called(now, call);       // by people at a landing
 //     up_peak.opened(2, {1, Direction::up});
-//     if (const LiftMask wanted = up_peak.call_more(); wanted != 0) ...  // these open there
+//     if (const LiftMask wanted = up_peak.call_more(busy); wanted != 0) open(wanted);
 #pragma once
 
 #include <array>

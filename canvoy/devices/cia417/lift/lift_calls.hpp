@@ -2,7 +2,7 @@
 //
 //     LiftCalls calls;
 //     calls.add({.kind = CallKind::up, .floor = 3, .doors = 0b01});
-//     calls.doors_at(3, {CallKind::up})  // 0b01
+//     calls.doors_at(3, kinds_of(CallKind::up));  // 0b01
 #pragma once
 
 #include <array>

@@ -1,8 +1,10 @@
 // A whole output panel: its dictionary, its node with all services, and its output panel unit.
 //
 //     constexpr auto my_panel = describe(panel<PanelOptions{.outputs = 4}>(),
-//                                        cia301::identity({.vendor_id = 0x123}));
+//                                        cia301::identity({.vendor_id = 0x123}),
+//                                        cia301::heartbeat_producer(1000));
 //     constexpr auto layout = lay_out_device<my_panel>();
+//
 //     OutputPanelDevice<layout> panel(port, 21, hardware, {.outputs = lamps});
 //     panel.node().start(now);
 #pragma once

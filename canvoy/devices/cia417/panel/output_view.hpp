@@ -1,9 +1,9 @@
 // State of an output for the hardware of an output panel unit (CiA 417-4, 4.4.1 and 4.5.4): one
 // lamp, display or loudspeaker.
 //
-//     void LampDriver::show(std::uint32_t output, const OutputView& view) {
-//       pins.set(output, view.level());
-//     }
+//     struct LampDriver {
+//       void show(std::uint32_t output, const OutputView& view) { pins.set(output, view.level()); }
+//     };
 #pragma once
 
 #include <cstdint>

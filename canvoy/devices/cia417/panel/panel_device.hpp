@@ -2,8 +2,10 @@
 // units.
 //
 //     constexpr auto my_panel = describe(panel<PanelOptions{.inputs = 2, .outputs = 4}>(),
-//                                        cia301::identity({.vendor_id = 0x123}));
+//                                        cia301::identity({.vendor_id = 0x123}),
+//                                        cia301::heartbeat_producer(1000));
 //     constexpr auto layout = lay_out_device<my_panel>();
+//
 //     PanelDevice<layout> panel(port, 21, hardware, {.inputs = buttons}, {.outputs = lamps});
 //     panel.node().start(now);
 //     panel.inputs().set_level(0, true, now);

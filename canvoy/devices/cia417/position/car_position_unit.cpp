@@ -96,7 +96,8 @@ void CarPositionUnit::configure(unsigned unit) {
   const unsigned offset = unit - 1;
   const double steps = value(measuring_step.shifted(offset)).raw();
   const double in_tenths = value(speed_measuring_step.shifted(offset)).raw();
-  of.acceleration_step = std::max(value(acceleration_measuring_step.shifted(offset)).raw(), 1U);
+  of.acceleration_step =
+      std::max<std::uint32_t>(value(acceleration_measuring_step.shifted(offset)).raw(), 1);
   of.step = std::max(steps, 1.0) / 100;
   of.speed_step = std::max(in_tenths, 1.0) / 10;
   const double revolution = settings_.encoders[offset].revolution_micrometre;

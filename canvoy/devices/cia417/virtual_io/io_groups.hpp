@@ -4,7 +4,7 @@
 //
 //     const IoGroups inputs(dictionary, input_group_object.index);
 //     const IoPlace place = inputs.place(3);       // 6100h:04h
-//     inputs.position(place.index, place.sub);     // 3
+//     inputs.position(place);                      // 3
 //
 // Takes only a few words of memory: everything is read from the tables of the dictionary, in time
 // linear in the number of groups. Construction is linear in the number of objects.

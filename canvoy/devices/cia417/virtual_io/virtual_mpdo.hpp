@@ -5,10 +5,10 @@
 // sent in two parts, one after the other: manufacturer-specific objects of our own, since no source
 // at hand describes other implementations.
 //
-//     5F10h  Virtual input in parts (panel): sub-index 1 and 2. For source address mode: scanner
-//            entry 02 5F10 01h; the consumer's dispatching list puts both into 5F11h.
-//     5F11h  Virtual inputs of panels in parts (controller): 2n - 1 and 2n are those of node-ID n.
-//            In destination address mode the panel names them by its own node-ID.
+// - 5F10h Virtual input in parts (panel): sub-index 1 and 2. For source address mode: scanner
+//   entry 02 5F10 01h; the consumer's dispatching list puts both into 5F11h.
+// - 5F11h Virtual inputs of panels in parts (controller): 2n - 1 and 2n are those of node-ID n.
+//   In destination address mode the panel names them by its own node-ID.
 //
 // Part 1 has the bytes 0 to 3 of the record. Part 2 has the bytes 4 and 5, a count, and the
 // exclusive or of these seven bytes, so that parts of different records are not combined.

@@ -2,7 +2,7 @@
 // driven distance to pulses, in whole micrometres, so that no pulse is lost or counted twice,
 // however often and irregularly it is called.
 //
-//     WheelPulseCounter counter({.pulses_per_rotation = 48, .circumference_m = 2.0});
+//     WheelPulseCounter counter({.per_rotation = 48, .circumference_m = 2.0});
 //     counter.drive(1234.5);  // m in all
 //     counter.count();        // 29628
 #pragma once

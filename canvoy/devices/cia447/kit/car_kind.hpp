@@ -5,8 +5,8 @@
 //       static constexpr const VirtualDeviceInfo& provides = blue_light_flasher_module_device;
 //       static constexpr const ObjectInfo* consumes[] = {&ignition_switch_status_object};
 //     };
-//     const DeviceKind all[] = {car_device_kind<BlueLightKind>()};   // for the catalogue
 //
+//     const DeviceKind all[] = {car_device_kind<BlueLightKind>()};   // for the catalogue
 //     const CarUnit* units[] = {&car_unit<TaximeterKind>, &car_unit<PrinterKind>};
 //     CarDevice device(units, port, 5, environment);
 //

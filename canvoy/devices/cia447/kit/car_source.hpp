@@ -3,7 +3,7 @@
 //     CarSource supply(network, {.pdo_number = 84,
 //                                .lost = Callback<void()>::to<&Radio::supply_lost>(radio),
 //                                .read = Callback<void()>::to<&Radio::look_at_supply>(radio)});
-//     void Radio::written(const Entry&, Source source) { supply.came(source); ... }
+//     supply.came(source);  // after each write to one of its entries
 //
 // A PDO that is sent on changes is not repeated for a receiver that has missed it. Therefore its
 // entries are read by SDO when the source is operational again after a loss without a boot-up,

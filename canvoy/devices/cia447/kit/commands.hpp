@@ -3,10 +3,15 @@
 // devices (4.2): reserved codes are refused (0609 0030h), "don't care" changes nothing, and a
 // function that the device lacks reads as not implemented.
 //
-//     Commands commands(network, objects, {.commanded = ..., .lacking = lacking});
-//     void Unit::commanded(const Commanded& wanted) {
-//       if (wanted.is_for(cia447::horn_command)) ...
-//     }
+//     struct Horn {
+//       void commanded(const Commanded& wanted) {
+//         if (wanted.is_for(cia447::horn_command)) sound();
+//       }
+//     };
+//
+//     Commands commands(network, objects,
+//                       {.commanded = Callback<void(const Commanded&)>::to<&Horn::commanded>(horn),
+//                        .lacking = lacking});
 #pragma once
 
 #include <cstdint>

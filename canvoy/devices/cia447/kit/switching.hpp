@@ -7,6 +7,7 @@
 //         effect(door_command_driver, OpeningCommand::open, door_status_driver,
 //                Opening::is_getting_open, Opening::open, 2s)};
 //     constexpr SwitchedTable table = {.commands = commands, .effects = effects};
+//
 //     SwitchedUnit<table> doors(network, {}, {});
 //
 // A movement between two states keeps its progress: a reversed one takes as long as it was under

@@ -2,7 +2,7 @@
 // south and west below 0. Lines that are empty or begin with # are no places.
 //
 //     PlaceLine line = parse_place_line("48.13715 11.57538 | Marienplatz 1 | Munich | Germany");
-//     if (line.error == PlaceLineError::none && line.has_place) ... line.place
+//     if (line.error == PlaceLineError::none && line.has_place) go_to(line.place);
 #pragma once
 
 #include <cstdint>

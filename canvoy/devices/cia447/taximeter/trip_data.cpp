@@ -37,7 +37,8 @@ TripData trip_data(const TaxiTrip& trip, const FareCalculation& fare) {
   TripData data;
   if (!trip.is_there) return data;
   data.supplements = trip.supplements;
-  data.distance = capped(trip.pulses * thousandths / std::max(fare.state().conditions.k, 1U));
+  data.distance =
+      capped(trip.pulses * thousandths / std::max<std::uint32_t>(fare.state().conditions.k, 1U));
   data.duration = reported_seconds(Duration(trip.duration));
   data.start = seconds_since_1970(trip.start);
   data.finish = seconds_since_1970(trip.finish);
