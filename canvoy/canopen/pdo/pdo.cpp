@@ -95,8 +95,13 @@ bool PdoService::reload(Pdo& pdo) {
   const auto type = static_cast<std::uint8_t>(
       parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
   if constexpr (Pdo::has_plans) {
-    pdo.times_.value.period = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::event_timer, 0));
-    pdo.times_.value.inhibit = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::inhibit_time, 0));
+    // What is switched off has no times: they are read when it is switched on.
+    pdo.times_.value = {};
+    if (is_usable(cob_id)) {
+      pdo.times_.value.period = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::event_timer, 0));
+      pdo.times_.value.inhibit =
+          static_cast<std::uint16_t>(parameter(pdo, pdo_sub::inhibit_time, 0));
+    }
   }
   std::uint16_t can_id = 0;
   unsigned count = 0;

@@ -31,7 +31,9 @@ class SdoEntry {
   /// would have to wait for its parts.
   AbortCode find(sdo::Multiplexer multiplexer) {
     domain_ = nullptr;
-    seek(0);
+    offset_ = 0;
+    ended_ = false;
+    if constexpr (!is_small_machine) window_.value = {};
     found_.index = multiplexer.index();
     found_.sub = multiplexer.sub();
     return dictionary_.locate_for_bus(found_);

@@ -82,6 +82,10 @@ inline void SdoServer::receive(const Frame& frame, Time) {
 
 void SdoServer::serve(const Frame& frame) {
   const sdo::Message request(frame);
+  // For hosts: what values are written with goes past the table of the others.
+  if (sdo::has_short_way && request.request() == sdo::Request::initiate_download) {
+    return initiate_download(request);
+  }
   switch (request.request()) {
     case sdo::Request::initiate_upload:
       return initiate_upload(request);
