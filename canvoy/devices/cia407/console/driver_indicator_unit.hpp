@@ -101,7 +101,7 @@ struct DriverDisplayKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware>
 struct DriverDisplayWithKeyboardKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
   static constexpr DeviceInfo info = {.name = "driver-display-keyboard",
                                       .title = "vehicle driver indicator with a keyboard",
-                                      .product = "Canvoy CiA 407 driver display, keys",
+                                      .product = "Canvoy CiA 407 display and keys",
                                       .product_code = 40744,
                                       .node_id = 14,
                                       .hardware = "what the driver sees"};

@@ -6,6 +6,11 @@ namespace canvoy::cia407 {
 
 namespace {
 
+/// Up to so many characters. substr() would link what throws, and with it a heap, on a board.
+std::string_view beginning_of(std::string_view text, std::size_t length) {
+  return {text.data(), std::min(text.size(), length)};
+}
+
 constexpr std::uint16_t short_index = short_diagnostic_error_field_object.index;
 constexpr std::uint16_t file_index = extended_diagnostic_message_file_object.index;
 constexpr std::uint16_t first_class_index = error_class_1_messages_object.index;
@@ -22,7 +27,7 @@ template <std::size_t size>
 class Line {
  public:
   void add(std::string_view text) {
-    for (const char one : text.substr(0, size - length_)) text_[length_++] = one;
+    for (const char one : beginning_of(text, size - length_)) text_[length_++] = one;
   }
   void add_number(std::uint64_t number, unsigned digits, unsigned base = 10) {
     for (unsigned place = digits; place-- > 0; number /= base) {
@@ -171,7 +176,7 @@ void DiagnosticsUnit::add_message(std::uint16_t index, std::span<const std::uint
   messages.is_read[messages.count++] = false;
   report_messages(index);
   const std::string_view whole(reinterpret_cast<const char*>(text.data()), text.size());
-  add_line(whole.substr(0, whole.find('\0')));
+  add_line(beginning_of(whole, whole.find('\0')));
 }
 
 /// All messages, or those that were read.

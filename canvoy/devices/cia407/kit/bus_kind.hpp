@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "canvoy/devices/cia407/kit/bus_device.hpp"
 #include "canvoy/devices/cia407/kit/messages.hpp"
@@ -43,6 +44,8 @@ inline constexpr const BusUnit* only_bus_unit[1] = {&bus_unit<Kind>};
 /// The row of the catalogue: the kind as a device by itself, and as a part of others.
 template <class Kind>
 constexpr DeviceKind bus_device_kind() {
+  static_assert(std::string_view(Kind::info.product).size() <= cia301::name_capacity,
+                "1008h of a board has no room for the name of the product");
   return {.info = Kind::info,
           .profile = &profile,
           .forms = composed_form<BusDevice, only_bus_unit<Kind>>,

@@ -104,7 +104,7 @@ struct DriverIdentificationKind : CarKind<DriverIdentificationUnit, DriverIdenti
                                           DriverIdentificationSettings> {
   static constexpr DeviceInfo info = {.name = "driver-identification",
                                       .title = "driver identification",
-                                      .product = "Canvoy CiA 447 driver identification",
+                                      .product = "Canvoy CiA 447 identification",
                                       .product_code = 44712,
                                       .node_id = 8,
                                       .hardware = "reader of drivers' cards, clock"};

@@ -24,7 +24,7 @@ using EmergencyFreshAirUnit = SwitchedUnit<fresh_air_table>;
 struct EmergencyFreshAirKind : CarKind<EmergencyFreshAirUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "emergency-fresh-air",
                                       .title = "emergency fresh-air system",
-                                      .product = "Canvoy CiA 447 emergency fresh air",
+                                      .product = "Canvoy CiA 447 fresh air",
                                       .product_code = 44703,
                                       .node_id = 9,
                                       .hardware = "fresh-air supply: what it does"};

@@ -26,7 +26,7 @@ using FireExtinguishingUnit = SwitchedUnit<fire_extinguishing_table>;
 struct FireExtinguishingKind : CarKind<FireExtinguishingUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "fire-extinguishing",
                                       .title = "fire extinguishing system",
-                                      .product = "Canvoy CiA 447 fire extinguishing",
+                                      .product = "Canvoy CiA 447 fire extinguisher",
                                       .product_code = 44702,
                                       .node_id = 8,
                                       .hardware = "extinguishers: what they do"};

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "canvoy/profiles/cia447.hpp"
@@ -45,6 +46,8 @@ inline constexpr const CarUnit* only_unit[1] = {&car_unit<Kind>};
 /// Row of the catalogue for a device that is this virtual device alone.
 template <class Kind>
 constexpr DeviceKind car_device_kind() {
+  static_assert(std::string_view(Kind::info.product).size() <= cia301::name_capacity,
+                "1008h of a board has no room for the name of the product");
   return {.info = Kind::info,
           .profile = &profile,
           .forms = composed_form<CarDevice, only_unit<Kind>>,
