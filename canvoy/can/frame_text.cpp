@@ -110,12 +110,12 @@ FrameText::FrameText(const Frame& frame) {
     if (frame.length > 0) put_hex(frame.length, 1);
     return;
   }
-  char* at = characters_.data() + length_;  // a member would be stored behind each character
-  for (const std::uint8_t byte : frame.payload()) {
-    std::memcpy(at, &pairs_of_hex[std::size_t{2} * byte], 2);
-    at += 2;
-  }
-  length_ = static_cast<std::size_t>(at - characters_.data());
+  // All bytes, whatever the length: a loop whose end differs from frame to frame is not predicted.
+  static_assert(length_max >= 8 + 1 + 2 * Frame::length_max);
+  char* const at = characters_.data() + length_;
+  for (std::size_t i = 0; i < Frame::length_max; ++i)
+    std::memcpy(at + 2 * i, &pairs_of_hex[std::size_t{2} * frame.data[i]], 2);
+  length_ += 2 * std::size_t{frame.length};
 }
 
 void FrameText::put_hex(std::uint32_t value, int digits) {

@@ -51,8 +51,9 @@ class BusTable {
     std::uint64_t heard = 0;  ///< when it was heard last
   };
 
+  /// Not inlined, since at() is called for each frame and rarely needs it.
   template <class Make>
-  std::size_t find(std::string_view name, const Make& make) {
+  [[gnu::noinline]] std::size_t find(std::string_view name, const Make& make) {
     auto room = std::ranges::find(rooms_, name, &Room::name);
     if (room == rooms_.end()) {
       if (rooms_.size() == max_) {

@@ -187,9 +187,7 @@ void append_frame_line(std::string& line, const FrameHead& head_of_line, const F
   if (is_usual) {
     head.put(head_of_line.bus);
     head.put(' ');
-    const std::size_t column = head.length();
-    head.put(head_of_line.frame);
-    head.pad_to(column + frame_width);
+    head.put_padded<frame_width>(head_of_line.frame);
   } else {
     line.append(head.view()).append(head_of_line.bus).append(1, ' ');
     append_text(line, head_of_line.frame, frame_width);

@@ -270,6 +270,7 @@ TraceRead TraceReader::next_anywhere(TraceFrame& frame) {
 
 TraceRead TraceReader::next(TraceFrame& frame) {
   if (seeks_) return next_anywhere(frame);
+  const bool is_copy = gzip_ || recoding_;
   while (true) {
     if (passing_ > 0) pass(passing_);
     if (rest_.empty()) {
@@ -284,7 +285,13 @@ TraceRead TraceReader::next(TraceFrame& frame) {
     }
     record_ = record_end_;
     if (step.item != TraceItem::remainder) ++line_;
-    pass(step.taken);
+    if (step.taken > rest_.size() || is_copy) {
+      pass(step.taken);
+    } else {  // most records
+      rest_.remove_prefix(static_cast<std::size_t>(step.taken));
+      position_ += step.taken;
+      record_end_ += step.taken;
+    }
     switch (step.item) {
       case TraceItem::frame:
         if (frame.time > trace_time_max) return found_bad("its time is behind the year 3999");

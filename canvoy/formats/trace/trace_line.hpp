@@ -52,6 +52,13 @@ class TraceLine {
     put_pair(put_pair(put_pair(end, number % 100), number / 100 % 100), number / 10'000);
     at_ = end;
   }
+  /// Adds a text, and blanks behind it up to so many characters.
+  template <std::size_t width>
+  void put_padded(std::string_view text) {
+    std::memset(at_, ' ', width);  // of a constant length, which needs no call
+    std::memcpy(at_, text.data(), text.size());
+    at_ += std::max(width, text.size());
+  }
   /// Adds blanks up to a column, counted from 0; none if the line is that long.
   void pad_to(std::size_t column) {
     if (length() >= column) return;
