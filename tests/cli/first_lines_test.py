@@ -171,7 +171,7 @@ class FirstLines(CommandTest):
             (("decode", log, "--dbc", "a.dbc"), ("--eds 10=pump.eds",)),
             (("decode", log, "--parquet"), ("--parquet: its value is missing, as in canvoy decode bus.log --parquet values.parquet",)),
             (("decode", log, "--hex", "--json"), (f"without it: canvoy decode {log} --json; see canvoy decode --help",)),
-            (("stats", log, "--csv"), (f"without it: canvoy stats {log}; see",)),
+            (("stats", log, "--table"), (f"without it: canvoy stats {log}; see",)),
             (("eds", "convert", "pump.eds"), (": canvoy eds convert pump.eds pump.xdd; see canvoy eds convert --help",)),
             (("doctor", log, "--node", "10"), ("which profile has node 10? --node 10=418",)),
             (("run", "charger", "--for", "10"), ("'10' has no unit: 10ms, 10s or 10min",)),
@@ -329,7 +329,7 @@ TWENTY_FIVE = [
     Row("canvoy lss can0 scan --assign 20 --timeout 100", told="100ms, 100s or 100min"),
     Row("canvoy lss can0 set-node-id 20 --save"),  # it is told that there are two
     Row("canvoy decode night.log --node-id 10", "node 10"),
-    Row("canvoy convert-log night.log --to asc", told="these are written: candump log (.log), Vector ASC (.asc)"),
+    Row("canvoy convert-log night.log --to asc", told="canvoy convert-log night.log night"),
     Row("canvoy stats can0 1s", "heartbeat 10"),
     Row("canvoy wait can0 --timeout 5s heartbeat", "heartbeat"),
     Row("canvoy expect can0 10 temperature '>' 15", "PASS node 10 (0Ah): temperature"),

@@ -1,7 +1,10 @@
 #include "canvoy/tools/cli/meant_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace canvoy::tools {
@@ -74,6 +77,33 @@ std::string completed_line(const Words& words, std::string_view verb, std::strin
   for (auto word = example.begin() + typed; word != end; ++word) line += ' ' + *word;
   for (auto word = options; word != words.end(); ++word) line += ' ' + quoted(*word);
   return line;
+}
+
+bool only_shows(const Words& words) {
+  constexpr auto verbs = std::to_array<std::string_view>(
+      {"monitor", "decode", "stats", "doctor", "load", "explain", "search", "profile", "scan",
+       "plot", "read", "expect", "wait", "completion", "view"});
+  const auto writes = [](const std::string& word) {
+    return word.starts_with("-o") || word.starts_with("--o") || word.starts_with("--log") ||
+           word.starts_with("--parquet") || word.starts_with("--write");
+  };
+  const bool is_of_sheets =
+      words.size() > 1 && words[0] == "eds" && (words[1] == "check" || words[1] == "diff");
+  const bool is_one = !words.empty() && std::ranges::find(verbs, words[0]) != verbs.end();
+  return (is_one || is_of_sheets) && std::ranges::none_of(words, writes);
+}
+
+bool is_safe_line(std::string_view line, const Words& words) {
+  constexpr auto senders = std::to_array<std::string_view>(
+      {"write", "send", "emcy", "pdo", "lss", "nmt", "program", "time", "sync"});
+  if (only_shows(words)) return true;
+  if (!words.empty() && std::ranges::find(senders, words[0]) != senders.end()) return false;
+  std::error_code none;
+  const Words all = words_of_example(line);
+  return std::none_of(all.begin() + 1, all.end(), [&](const std::string& word) {
+    const bool is_typed = std::ranges::find(words, word) != words.end();
+    return !is_typed && std::filesystem::is_regular_file(word, none);
+  });
 }
 
 std::string line_without(Words words, const Words& unknown) {

@@ -21,6 +21,14 @@ std::string example_with(std::string_view examples, std::string_view word);
 std::string completed_line(const std::vector<std::string>& words, std::string_view verb,
                            std::string_view examples);
 
+/// True if the line changes neither a node nor a file: it may be told with less words than were
+/// typed.
+bool only_shows(const std::vector<std::string>& words);
+
+/// True if a line that completes `words` sends no value of an example, and names no file that is
+/// there already as one to be written.
+bool is_safe_line(std::string_view line, const std::vector<std::string>& words);
+
 /// The line without these words, each of them once.
 std::string line_without(std::vector<std::string> words, const std::vector<std::string>& unknown);
 

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+#include <string>
+
 namespace canvoy::tools::meant_line_test {
 namespace {
 
@@ -40,6 +44,26 @@ TEST(MeantLine, AnOptionHasTheFirstExampleWithIt) {
 TEST(MeantLine, IsWithoutWhatIsNotKnown) {
   EXPECT_EQ(line_without({"decode", "a.log", "--hex", "5", "--json"}, {"--hex", "5"}),
             "canvoy decode a.log --json");
+}
+
+TEST(MeantLine, IsToldWithLessWordsWhereNothingIsWritten) {
+  EXPECT_TRUE(only_shows({"decode", "a.log", "--hex"}));
+  EXPECT_TRUE(only_shows({"eds", "diff", "a.eds", "b.eds", "c.eds"}));
+  EXPECT_FALSE(only_shows({"decode", "a.log", "--hex", "-o", "b.pcapng"}));
+  EXPECT_FALSE(only_shows({"convert-log", "a.log", "b.asc", "c.csv"})) << "b.asc would be lost";
+  EXPECT_FALSE(only_shows({"write", "can0", "10", "1017", "5", "--dry-run"}));
+  EXPECT_FALSE(only_shows({}));
+}
+
+TEST(MeantLine, SendsNoValueOfAnExampleAndNamesNoFileThatIsThere) {
+  const std::string file = testing::TempDir() + "meant_line_test.asc";
+  std::ofstream(file) << "a log";
+  EXPECT_TRUE(is_safe_line("canvoy convert-log a.log none.asc", {"convert-log", "a.log"}));
+  EXPECT_FALSE(is_safe_line("canvoy convert-log a.log " + file, {"convert-log", "a.log"}));
+  EXPECT_TRUE(is_safe_line("canvoy convert-log " + file + " none.log", {"convert-log", file}));
+  EXPECT_TRUE(is_safe_line("canvoy plot " + file + " speed", {"plot"})) << "it is read";
+  EXPECT_FALSE(is_safe_line("canvoy write can0 20 1017 500ms", {"write", "can0", "20"}));
+  std::remove(file.c_str());
 }
 
 }  // namespace

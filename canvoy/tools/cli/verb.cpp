@@ -200,6 +200,20 @@ std::string in_its_place(std::string_view option) {
 
 using Words = std::vector<std::string>;
 
+/// `it is canvoy convert-log IN OUT`
+std::string usage_of(const CLI::App& app, const std::string& text) {
+  std::string usage = "it is " + text;
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional()) continue;
+    std::string place = option->get_name(true);
+    std::ranges::transform(place, place.begin(), [](char c) {
+      return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    });
+    usage += option->get_required() ? ' ' + place : " [" + place + ']';
+  }
+  return usage;
+}
+
 /// Of a line in which all is known: a word or a value is missing, or a value is none.
 std::string refusal_of_known(const Understood& verb, const CLI::ParseError& error,
                              const Words& words) {
@@ -207,7 +221,9 @@ std::string refusal_of_known(const Understood& verb, const CLI::ParseError& erro
   std::string line;
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
     line = completed_line(words, verb.app->get_name(), verb.app->get_footer());
-    if (!line.empty()) line = ": " + line;
+    // A value of the example is none to be sent, and a file of its name may be there.
+    if (!line.empty())
+      line = is_safe_line(line, words) ? ": " + line : "; " + usage_of(*verb.app, verb.text);
   } else if (text.starts_with("--")) {
     line = example_with(verb.app->get_footer(), text.substr(0, text.find_first_of(": ")));
     if (!line.empty()) line = ", as in " + line;
@@ -236,8 +252,11 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, const Wor
     return fmt::format("'{}' is not known here{} See {} --help", word, meant, verb.text);
   }
   const bool is_whole = !is_missing && verb.app != &app;
-  return fmt::format("'{}' is not known here{}; see {} --help", word,
-                     is_whole ? "; without it: " + line_without(words, unknown) : "", verb.text);
+  if (!is_whole) return fmt::format("'{}' is not known here; see {} --help", word, verb.text);
+  // Who writes, and is told to leave a word out, may lose a file by it, or a trial run.
+  const std::string line = only_shows(words) ? "without it: " + line_without(words, unknown)
+                                             : usage_of(*verb.app, verb.text);
+  return fmt::format("'{}' is not known here; {}; see {} --help", word, line, verb.text);
 }
 
 /// End of a line of at most `room` characters: after its last blank, or within a long word after

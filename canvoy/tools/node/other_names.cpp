@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "canvoy/formats/trace/trace_format.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
@@ -80,6 +81,19 @@ struct Front {
   Words options = {};
 };
 
+bool is_world(std::string_view word) {
+  return word.ends_with(".toml") ||
+         std::ranges::find(worlds(), word, &WorldEntry::name) != worlds().end();
+}
+
+/// What is done with a thing that stands alone, `night.log`, `pump.eds`, `yard.toml`, `lift`;
+/// empty: it is not plain.
+Words verb_of_thing(std::string_view word) {
+  if (formats::names_trace(word)) return {"decode"};
+  if (is_sheet_name(word)) return {"eds", "check"};
+  return is_world(word) ? Words{"run"} : Words{};
+}
+
 /// The number of words there that belong in front of a verb; 0: the verb stands there.
 std::size_t take_front(const Words& words, std::size_t at, Front& front) {
   const std::string& word = words[at];
@@ -87,7 +101,8 @@ std::size_t take_front(const Words& words, std::size_t at, Front& front) {
   if (word.starts_with('-') && has_value) {
     const std::string& value = words[at + 1];
     const bool is_node = is_one_of(word, {"-n", "--node", "--node-id"}) && find_node_id(value);
-    if (is_node || names_bus(value)) {
+    const bool is_log = formats::names_trace(value) && !word.starts_with("--");
+    if (is_node || is_log || names_bus(value)) {
       front.places.push_back(value);
       return 2;
     }
@@ -114,6 +129,15 @@ void leave_out_nouns(Words& words) {
   const bool has_noun = words.size() > 1 && std::ranges::find(nouns, words[0]) != nouns.end() &&
                         (is_verb_name(words[1]) || is_other_name(words[1]) || words[1] == "write");
   if (has_noun) erase_words(words, 0);
+  if (words.size() > 2 && words[0] == "error" && is_one_of(words[1], {"history", "log", "list"})) {
+    erase_words(words, 1);
+  }
+  // `validate eds pump.eds`
+  const bool is_of_sheet =
+      words.size() > 2 && words[1] == "eds" &&
+      is_one_of(words[0], {"check", "validate", "lint", "verify", "info", "show", "diff", "compare",
+                           "convert", "export", "read", "new", "create", "generate", "make"});
+  if (is_of_sheet) std::swap(words[0], words[1]);
   const bool is_list = words.size() > 1 && is_one_of(words[1], {"list", "ls"});
   if (is_list && words[0] == "profile") erase_words(words, 1);
   if (is_list && words[0] == "device") words[1] = "--list";
@@ -152,12 +176,15 @@ void part_joined_name(Words& words) {
 /// `read can0 node 10 object 1018`, `explain abort 06010002`.
 void leave_out_names_of_places(Words& words) {
   constexpr auto places =
-      std::to_array<std::string_view>({"node", "node-id", "object", "index", "value", "id", "to"});
-  constexpr auto codes =
-      std::to_array<std::string_view>({"abort", "emcy", "emergency", "error", "sdo", "code",
-                                       "state", "id", "cob-id", "object", "-a", "-e", "register"});
+      std::to_array<std::string_view>({"node", "node-id", "knoten", "object", "objekt", "index",
+                                       "sub", "subindex", "sub-index", "value", "id", "to"});
+  constexpr auto codes = std::to_array<std::string_view>(
+      {"abort", "emcy", "emergency", "error", "sdo", "code", "state", "id", "cob-id", "object",
+       "-a", "-e", "register", "is", "does", "the", "this"});
   const bool explains = words.front() == "explain";
   if (!explains && !is_ask_verb(words.front())) return;
+  // what does 06010002 mean
+  if (explains && words.size() > 2 && is_one_of(words.back(), {"mean", "means"})) words.pop_back();
   for (std::size_t at = words.size() - 1; at > 1 || (explains && at == 1); --at) {
     const bool is_name = explains ? is_in(codes, words[at]) : is_in(places, words[at]);
     // The last word is a value; `nmt can0 10 reset node` has a command.
@@ -177,13 +204,20 @@ bool use_verb_of_node(Words& words) {
   } else if (name == "watch" && places > 2) {
     words = line({"read"}, rest);
     words.emplace_back("--watch");
-  } else if (is_one_of(name, {"ping", "info", "show", "status"}) && places == 2) {
+  } else if (is_one_of(name, {"errors", "error", "faults", "history"}) && places == 2) {
+    words = line({"read"}, rest);
+    put_in(words, 3, "1003");
+  } else if (is_one_of(name, {"ping", "info", "show", "status", "identify", "identity"}) &&
+             places == 2) {
     words = line({"read"}, rest);
     put_in(words, 3, "1000");
     if (name != "ping") put_in(words, 4, "1018");
   } else if (is_one_of(name, {"compare", "diff"}) && places == 3) {
     words = line({"configure"}, rest);
     words.emplace_back("--diff");
+  } else if (name == "heartbeat" && places == 3 && parse_duration(rest[2])) {
+    words = line({"write"}, rest);
+    put_in(words, 3, "1017");
   } else if (name == "heartbeat" && places == 2) {
     words = line({"wait"}, {rest[0], "node=" + rest[1], "and", "heartbeat"});
   } else {
@@ -198,7 +232,7 @@ bool use_verb_of_bus(Words& words) {
   if (!is_of_bus) return false;
   const std::string name = words.front();
   const Words options = behind(words, 2);
-  if (is_one_of(name, {"emcy", "emergency", "emergencies"})) {
+  if (is_one_of(name, {"emcy", "emergency", "emergencies", "errors", "faults", "alarms"})) {
     words = line({"monitor", words[1], "--filter", "EMCY"}, options);
   } else if (is_one_of(name, {"heartbeat", "heartbeats"})) {
     words = line({"monitor", words[1], "--filter", "heartbeat"}, options);
@@ -210,15 +244,32 @@ bool use_verb_of_bus(Words& words) {
   return true;
 }
 
+/// `export pump.eds out.dbc`: the end of the file says what is exported; empty: nothing does.
+std::string table_to_export(const Words& words) {
+  constexpr auto tables = std::to_array<std::string_view>({"dbc", "csv", "html"});
+  const bool is_said = is_in(tables, words[1]);
+  if (is_said || (!is_sheet_name(words[1]) && !names_bus(words[1]))) return {};
+  for (const std::string& word : behind(words, 2)) {
+    for (const std::string_view table : tables) {
+      if (word.ends_with('.' + std::string(table))) return std::string(table);
+    }
+  }
+  return {};
+}
+
+/// `download battery.dcf --node 10`, `write can0 10 battery.dcf`: a file is the last place.
+bool is_configuration(const Words& words) {
+  const std::size_t places = count_places(words);
+  return places > 0 && is_sheet_name(words[places]) && (places == 1 || has_node(words));
+}
+
 bool use_verb_of_file(Words& words) {
   if (words.size() < 2) return false;
   const std::string name = words.front();
   const std::string& first = words[1];
-  const bool is_world = first.ends_with(".toml") ||
-                        std::ranges::find(worlds(), first, &WorldEntry::name) != worlds().end();
   if (is_one_of(name, {"simulate", "sim", "emulate"})) {
     // A bus to be put on, or a network to be played.
-    words.front() = is_world && !names_bus(words.back()) ? "run" : "device";
+    words.front() = is_world(first) && !names_bus(words.back()) ? "run" : "device";
   } else if (name == "log" && count_places(words) == 2 && names_bus(first)) {
     words.front() = "record";
   } else if ((name == "log" && formats::names_trace(first)) ||
@@ -232,6 +283,15 @@ bool use_verb_of_file(Words& words) {
   } else if (name == "export" && first == "csv" && words.size() > 2 &&
              formats::names_trace(words[2])) {
     words = line({"decode", words[2], "--csv"}, behind(words, 3));
+  } else if (is_one_of(name, {"info", "show"}) && formats::names_trace(first)) {
+    words.front() = "stats";
+  } else if (is_one_of(name, {"errors", "faults", "alarms", "emcy"}) &&
+             formats::names_trace(first)) {
+    words = line({"decode", first, "--filter", "EMCY"}, behind(words, 2));
+  } else if (name == "export" && !table_to_export(words).empty()) {
+    put_in(words, 1, table_to_export(words));
+  } else if (is_one_of(name, {"download", "write"}) && is_configuration(words)) {
+    words.front() = "configure";
   } else if (name == "search" && words.size() == 2 && first.starts_with("0x")) {
     words.front() = "explain";
   } else if (name == "eds" && is_sheet_name(first)) {
@@ -265,6 +325,11 @@ void join_nmt(Words& words) {
 
 /// A word that is no verb, or one of another kind of thing: what there is for that kind.
 void tell_by_kind(const Words& words) {
+  if (words[std::min<std::size_t>(1, words.size() - 1)].ends_with(".dbc")) {
+    throw UsageError(
+        "a DBC is only written here: canvoy export dbc pump.eds; what a log says is read by "
+        "profiles and data sheets: canvoy decode night.log --eds 10=pump.eds");
+  }
   if (words.size() < 2) return;
   const std::string& name = words.front();
   const std::string& thing = words[1];
@@ -339,10 +404,23 @@ void put_verb_in_front(Words& words) {
     at += count;
   }
   if (at == words.size()) {
-    if (front.places.empty() || !names_bus(front.places.front())) return;
+    if (front.places.empty()) return;
+    Words verb = verb_of_thing(front.places.front());
+    if (!verb.empty()) {
+      verb.insert(verb.end(), front.places.begin(), front.places.end());
+      verb.insert(verb.end(), front.options.begin(), front.options.end());
+      words = std::move(verb);
+      return;
+    }
+    if (!names_bus(front.places.front())) return;
     throw UsageError(
         fmt::format("which verb? canvoy monitor {0} shows its frames, canvoy scan {0} who is there",
                     front.places.front()));
+  }
+  const bool is_alone = at + 1 == words.size() || words[at + 1].starts_with('-');
+  if (front.places.empty() && is_alone && !is_verb_name(words[at]) && !is_other_name(words[at])) {
+    const Words verb = verb_of_thing(words[at]);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), verb.begin(), verb.end());
   }
   if (at == 0) return;
   Words meant = line({words[at]}, front.places);

@@ -166,10 +166,47 @@ TEST(OtherNames, AnUnknownWordIsAnsweredByWhatStandsBehindIt) {
   expect_told("frobnicate can0 10 x", "of a node there are canvoy read can0 10 1018");
   expect_told("frobnicate a.eds", "of a data sheet there are canvoy eds check a.eds");
   expect_told("read a.log", "'read' is of a bus; of a log there are canvoy decode a.log");
-  expect_told("convert a.log", "canvoy convert-log a.log night.asc");
+  expect_told("convert a.log", "canvoy convert-log a.log a.asc");
   expect_line("frobnicate", "frobnicate");
   expect_line("decdoe a.log", "decdoe a.log");  // the command says which verb is near
   expect_line("compare can0 10 a.dcf", "configure can0 10 a.dcf --diff");
+}
+
+TEST(OtherNames, AThingAloneIsShownOrPlayed) {
+  expect_line("a.blf --count 5", "decode a.blf --count 5");
+  expect_line("-r a.log", "decode a.log");
+  expect_line("a.dcf", "eds check a.dcf");
+  expect_line("yard.toml", "run yard.toml");
+  expect_line("lift --for 1s", "run lift --for 1s");
+  expect_told("a.dbc", "canvoy export dbc pump.eds");
+}
+
+TEST(OtherNames, WordsOfSpeechAreLeftOut) {
+  expect_line("what is 06090011", "explain 06090011");
+  expect_line("what does 06090011 mean", "explain 06090011");
+  expect_line("read can0 knoten 10 6010h sub 1", "read can0 10 6010:1");
+  expect_line("validate eds a.eds", "eds check a.eds");
+  expect_line("hilfe decode", "decode --help");
+  expect_line("decode /?", "decode --help");
+}
+
+TEST(OtherNames, WhatIsAskedForDependsOnTheThing) {
+  expect_line("errors can0 10", "read can0 10 1003");
+  expect_line("errors can0", "monitor can0 --filter EMCY");
+  expect_line("errors a.log", "decode a.log --filter EMCY");
+  expect_line("info a.mf4", "stats a.mf4");
+  expect_line("heartbeat can0 10 1s", "write can0 10 1017 1s");
+  expect_line("export a.eds b.dbc", "export dbc a.eds b.dbc");
+  expect_line("download a.dcf --node 10", "configure a.dcf --node 10");
+  expect_line("download can0 10 a.dcf", "configure can0 10 a.dcf");
+}
+
+TEST(OtherNames, ProgramsOfPythonCan) {
+  expect_line("logger -i socketcan -c can0 -f a.asc", "record can0 a.asc");
+  expect_line("logger -c can0", "monitor can0");
+  expect_line("player -i socketcan -c can0 a.log", "replay a.log can0");
+  expect_line("viewer -c can0", "monitor can0 --table");
+  expect_line("canplayer -I a.log -l i can0", "replay a.log can0 --loop");
 }
 
 TEST(OtherNames, CommandsOfLssMayBeTwoWords) {
@@ -185,7 +222,7 @@ TEST(OtherNames, WhatIsMissingIsToldWithTheLine) {
   expect_told("read can0 all 1008", "canvoy read can0 10 1008");
   expect_told("pdo can0 10",
               "canvoy pdo can0 10 tpdo1, and its mapping read by canvoy read can0 10 1A00");
-  expect_told("report a.log", "canvoy report a.log --out night.html");
+  expect_told("report a.log", "canvoy report a.log --out a.html");
   expect_line("record can0 --for 1s a.log", "record can0 --for 1s a.log");
 }
 

@@ -76,6 +76,11 @@ constexpr std::array tshark_options = {ProgramOption{'r', true, "."},
                                        ProgramOption{'O', true},
                                        ProgramOption{'T', true, "--json"}};
 
+// As python-can 4 says them.
+constexpr std::array python_can_options = {
+    ProgramOption{'c', true, "."}, ProgramOption{'f', true, "."}, ProgramOption{'i', true},
+    ProgramOption{'b', true},      ProgramOption{'s', true},      ProgramOption{'a'}};
+
 constexpr auto other_programs = std::to_array<OtherProgram>({
     {"candump", "monitor", candump_options},
     {"canplayer", "replay", canplayer_options},
@@ -84,6 +89,9 @@ constexpr auto other_programs = std::to_array<OtherProgram>({
     {"canbusload", "load", canbusload_options},
     {"cansniffer", "monitor", cansniffer_options, "--table"},
     {"tshark", "decode", tshark_options},
+    {"logger", "record", python_can_options},
+    {"player", "replay", python_can_options},
+    {"viewer", "monitor", python_can_options, "--table"},
 });
 
 /// A line of a program, option by option.
@@ -96,7 +104,9 @@ class ProgramLine {
   Words meant() const {
     std::string_view verb = program_.verb;
     const bool is_live = program_.name == "tshark" && !places_.empty() && names_bus(places_[0]);
-    if (is_live) verb = "monitor";
+    // Without a file, the logger prints.
+    const bool is_printed = program_.name == "logger" && !has('f');
+    if (is_live || is_printed) verb = "monitor";
     Words words = {std::string(verb)};
     words.insert(words.end(), places_.begin(), places_.end());
     words.insert(words.end(), said_.begin(), said_.end());
@@ -139,7 +149,8 @@ class ProgramLine {
     const std::size_t sign = meant.find('=');
     said_.emplace_back(meant.substr(0, sign));
     if (sign != std::string_view::npos) said_.emplace_back(meant.substr(sign + 1));
-    if (!value.empty() && meant != "--json") said_.push_back(value);
+    const bool is_endless = meant == "--loop" && value == "i";
+    if (!value.empty() && meant != "--json" && !is_endless) said_.push_back(value);
   }
 
   const OtherProgram& program_;

@@ -186,6 +186,30 @@ std::string without_fields_of_wireshark(std::string filter) {
   return filter;
 }
 
+/// `node 10 and service EMCY` as `node=10 and service=EMCY`.
+std::string with_signs(const std::string& filter) {
+  constexpr auto fields =
+      std::to_array<std::string_view>({"node", "id", "object", "service", "bus", "time"});
+  constexpr auto others = std::to_array<std::string_view>({"and", "or", "not", "in"});
+  const auto is_in = [](const auto& list, std::string_view word) {
+    return std::ranges::find(list, word) != list.end();
+  };
+  std::string made;
+  std::string_view rest = filter;
+  std::string_view before;
+  while (!rest.empty()) {
+    const std::size_t length = std::min(rest.find(' '), rest.size());
+    const std::string_view word = rest.substr(0, length);
+    const bool is_value = !word.empty() && word.find_first_of("=<>!()") == std::string_view::npos &&
+                          !is_in(others, word);
+    if (!made.empty()) made += is_value && is_in(fields, before) ? '=' : ' ';
+    made += word;
+    before = word;
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+  }
+  return made;
+}
+
 /// The words of a verb, told apart.
 class TypedOptions {
  public:
@@ -288,6 +312,11 @@ class TypedOptions {
         object->second += ':' + *value;
         return next;
       }
+      if (value && !loose_.empty() && (is_place("object") || is_place("objects"))) {
+        is_changed_ = true;
+        loose_.back() += ':' + *value;
+        return next;
+      }
     }
     // `--format json` as `--json`.
     const bool is_form = value && (*value == "json" || *value == "csv") &&
@@ -326,7 +355,7 @@ class TypedOptions {
     std::string value = typed;
     if (option == "--speed") value = without_times(typed);
     if (option == "--listen" && is_port(typed)) value = "127.0.0.1:" + typed;
-    if (option == "--filter") value = without_fields_of_wireshark(typed);
+    if (option == "--filter") value = with_signs(without_fields_of_wireshark(typed));
     is_changed_ = is_changed_ || value != typed;
     return value;
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 
 #include "canvoy/formats/trace/trace_format.hpp"
@@ -209,6 +210,26 @@ void use_node_behind_bus(Words& words) {
   if (is_behind) words.insert(words.begin() + static_cast<std::ptrdiff_t>(places), "--node-id");
 }
 
+/// A file of a told line, which is not there yet: typing it overwrites nothing.
+std::string new_file(std::string_view log, std::string_view ending) {
+  std::filesystem::path name(log);
+  std::error_code none;
+  const std::string stem = name.replace_extension().string();
+  std::string made = fmt::format("{}.{}", stem, ending);
+  for (int number = 2; std::filesystem::exists(made, none); ++number) {
+    made = fmt::format("{}-{}.{}", stem, number, ending);
+  }
+  return made;
+}
+
+/// Of a conversion that says only the format of the file to be written: `bus.trc --to csv`.
+std::string format_to_convert(const Words& words) {
+  if (words.size() == 2) return "asc";
+  const bool is_format = words.size() < 5 && formats::names_trace("log." + words.back()) &&
+                         words.back().find('.') == std::string::npos;
+  return is_format && words.size() > 2 ? words.back() : "";
+}
+
 /// Lines that miss a word, or have one of another verb: the line that was meant.
 void refuse_another_line(const Words& words) {
   const std::size_t places = count_places(words);
@@ -221,13 +242,16 @@ void refuse_another_line(const Words& words) {
     return word.starts_with("-o") || word.starts_with("--o") || formats::names_trace(word);
   });
   if (verb == "record" && places == 1 && names_bus(words[1]) && !names_file) {
-    refuse("which file is to be written?", verb, words[1], "night.log");
+    refuse("which file is to be written?", verb, words[1], new_file("night.log", "log"));
   }
-  if (verb == "convert-log" && words.size() == 2 && formats::names_trace(words[1])) {
-    refuse("which file is to be written?", verb, words[1], "night.asc");
+  if (verb == "convert-log" && words.size() > 1 && formats::names_trace(words[1])) {
+    const std::string format = format_to_convert(words);
+    if (!format.empty()) {
+      refuse("which file is to be written?", verb, words[1], new_file(words[1], format));
+    }
   }
   if (verb == "report" && places == 1 && formats::names_trace(words[1]) && words.size() == 2) {
-    refuse("which file is to be written?", verb, words[1], "--out night.html");
+    refuse("which file is to be written?", verb, words[1], "--out", new_file(words[1], "html"));
   }
   if (verb == "pdo" && places == 2 && names_bus(words[1])) {
     refuse(
@@ -273,6 +297,13 @@ void refuse_another_line(const Words& words) {
   }
 }
 
+/// As other systems have it.
+bool is_call_for_help(std::string_view word) {
+  constexpr auto calls =
+      std::to_array<std::string_view>({"/?", "-?", "/h", "/help", "-help", "--hilfe"});
+  return std::ranges::find(calls, word) != calls.end();
+}
+
 }  // namespace
 
 std::vector<std::string> typed_words(Words words) {
@@ -283,7 +314,10 @@ std::vector<std::string> typed_words(Words words) {
   };
   refuse_empty();
   if (words.front() == "version") return {"--version"};
-  if (words.front() == "help") {
+  for (std::string& word : words) {
+    if (is_call_for_help(word)) word = "--help";
+  }
+  if (words.front() == "help" || words.front() == "hilfe") {
     words.erase(words.begin());
     words.emplace_back("--help");
   }

@@ -62,7 +62,8 @@ void add_decode(Verb& app) {
       {"--out", options->out,
        "write a log in place of lines: .pcapng, with the meaning as comments of the packets, or "
        "another that convert-log writes: " +
-           formats::trace_ending_list(true) + "; with --json or --csv, their lines"},
+           formats::trace_ending_list(true) +
+           "; with --json or --csv, their lines; a .csv is the table of --csv"},
   });
   options->printer.add_to(command);
   command.add({
@@ -82,6 +83,9 @@ void add_decode(Verb& app) {
       "  canvoy decode bus.log --out words.pcapng");
   command.runs([options, words] {
     take_words(*words, *options);
+    // The same frames as CSV are for convert-log.
+    const bool is_table = options->out.ends_with(".csv") && !options->printer.json;
+    options->printer.csv = options->printer.csv || is_table;
     return decode_log(*options);
   });
 }

@@ -21,6 +21,7 @@
 #include "canvoy/tools/watch/log_reader.hpp"
 #include "canvoy/tools/watch/trace_complaints.hpp"
 #include "canvoy/tools/watch/trace_progress.hpp"
+#include "canvoy/tools/watch/value_table.hpp"
 
 namespace canvoy::tools {
 
@@ -31,6 +32,7 @@ struct StatsOptions {
   std::string duration;   ///< of a bus
   unsigned bit_rate = 0;  ///< in kbit/s; 0: not known
   bool json = false;
+  bool csv = false;
 };
 
 /// Statistics of the frames with one CAN-ID on one bus.
@@ -121,6 +123,7 @@ class Statistics {
  private:
   void print() const {
     if (options_.json) return print_json();
+    if (options_.csv) return print_csv();
     fmt::print("{:<8} {:<19} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "CAN-ID", "service", "frames",
                "per s", "cycle ms", "jitter", "longest", load_head());
     std::string bus;
@@ -204,6 +207,20 @@ class Statistics {
     }
   }
 
+  void print_csv() const {
+    fmt::print("bus,id,service,node,frames,per_second,cycle_s,jitter_s,shortest_s,longest_s,{}\n",
+               options_.bit_rate == 0 ? "bits_percent" : "load_percent");
+    for (const auto& [id, each] : ids_) {
+      std::string line;
+      append_csv_cell(line, id.bus);
+      line += ',' + id_text(id) + ',';
+      append_csv_cell(line, each.service);
+      fmt::print("{},{},{},{},{},{},{},{},{}\n", line,
+                 each.node == 0 ? "" : std::to_string(each.node), each.count, rate(each), each.mean,
+                 each.jitter(), each.least, each.most, load(each));
+    }
+  }
+
   static constexpr Duration listen_time = 10s;
 
   const StatsOptions& options_;
@@ -229,10 +246,12 @@ void add_stats(Verb& app) {
       {"--for", options->duration, "of a bus: listen for so long: 30s, 10min (default 10s)"},
       {"--bit-rate", options->bit_rate, "in kbit/s, for the load", between(1U, 1000U)},
       {"--json", options->json, "one JSON object a line"},
+      {"--csv", options->csv, "a row for each CAN-ID", excludes("--json")},
   });
   command.add_examples(
       "  canvoy stats night.log\n"
       "  canvoy stats can0 --for 1s\n"
+      "  canvoy stats night.log --csv\n"
       "  canvoy stats night.log --bit-rate 125 --json");
   command.runs([options] {
     Statistics statistics(*options);

@@ -18,20 +18,6 @@ namespace {
 
 constexpr auto string_column = formats::ParquetType::text;
 
-/// As RFC 4180 has it.
-void append_cell(std::string& line, std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) {
-    if (c == '"') line += '"';
-    line += c;
-  }
-  line += '"';
-}
-
 /// Empty where there is none.
 std::string_view unit_of(const decoder::DecodedValue& value) {
   if (value.entry == nullptr || value.entry->value.unit == Unit::none) return {};
@@ -61,6 +47,19 @@ std::optional<double> number_of(const decoder::DecodedValue& value, std::string&
 
 }  // namespace
 
+void append_csv_cell(std::string& line, std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) {
+    if (c == '"') line += '"';
+    line += c;
+  }
+  line += '"';
+}
+
 std::string_view csv_head() {
   return "time,bus,node,index,sub,name,value,unit\n";
 }
@@ -69,13 +68,13 @@ void append_csv(std::string& lines, const ValueRow& row) {
   const auto& [time, bus, node, value] = row;
   const auto into = std::back_inserter(lines);
   fmt::format_to(into, "{}.{:06},", time.count() / 1'000'000, time.count() % 1'000'000);
-  append_cell(lines, bus);
+  append_csv_cell(lines, bus);
   fmt::format_to(into, ",{},{:04X},{:02X},", node, value.index, value.sub);
-  append_cell(lines, text::object_name_text(value));
+  append_csv_cell(lines, text::object_name_text(value));
   lines += ',';
-  append_cell(lines, cell_value(value));
+  append_csv_cell(lines, cell_value(value));
   lines += ',';
-  append_cell(lines, unit_of(value));
+  append_csv_cell(lines, unit_of(value));
   lines += '\n';
 }
 

@@ -27,6 +27,8 @@ struct ValueRow {
 
 /// The line of the names of the columns, with its end.
 std::string_view csv_head();
+/// A cell as RFC 4180 has it, in quotes where it needs them.
+void append_csv_cell(std::string& line, std::string_view text);
 /// A line of RFC 4180, with its end.
 void append_csv(std::string& lines, const ValueRow& row);
 
