@@ -62,9 +62,16 @@ class Browse(CommandTest):
         self.assertLessEqual(max(map(len, lines)), columns)
         self.assertIn("node 10 (0Ah)", lines[0])
         self.wait_for_row(terminal, "1000h", "000001A2h")
-        # A record is closed at first, and has its entries below it when it is opened.
-        self.assertTrue(any("1018h" in line and "+ " in line for line in lines), lines)
-        self.assertFalse(any("1018h:01h" in line for line in lines))
+        # A record is closed at first, and has its entries below it when it is opened. Long values take several rows.
+        self.assertFalse(any("\u2026" in line for line in lines[1:]), lines)
+        for _ in range(8):
+            if any("1018h" in line for line in terminal.lines()):
+                break
+            terminal.press("NPage")
+            terminal.comes_to(lambda now: now[1:] != lines[1:])
+            lines = terminal.lines()
+        self.assertTrue(any("1018h" in line and "+ " in line for line in terminal.lines()), terminal.lines())
+        self.assertFalse(any("1018h:01h" in line for line in terminal.lines()))
         terminal.press("/")
         self.answer(terminal, "search:", "Identity")
         self.wait_for_row(terminal, "1018h:02h", "1A2h")

@@ -1,7 +1,10 @@
 // canvoy browse BUS NODE: the dictionary of a running node on the terminal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "canvoy/text/text.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
@@ -224,25 +227,39 @@ class Browser {
 
   // The picture
 
-  std::string row_text(const NodeTree::Row& row, bool is_chosen, std::size_t columns) const {
+  /// A row; long names and values go on in further lines.
+  std::vector<std::string> row_lines(const NodeTree::Row& row, bool is_chosen,
+                                     std::size_t columns) const {
     constexpr std::size_t place_columns = 12;
     constexpr std::size_t access_columns = 6;
     const formats::SheetEntry* entry = tree_.entry(row);
     const std::size_t rest =
         columns > place_columns + access_columns ? columns - place_columns - access_columns : 0;
-    const std::string sign = row.is_folder ? (row.is_open ? "- " : "+ ") : "  ";
-    std::string line = in_columns(fmt::format("{}{}", std::string(row.depth, ' '),
-                                              text::object_text(row.place.index, row.place.sub)),
-                                  place_columns);
-    line += in_columns(sign + row.name, rest * 2 / 5);
-    line += ' ';
-    const std::string value = in_columns(tree_.value(row), rest > 0 ? rest - rest * 2 / 5 - 1 : 0);
-    line += is_lost_                 ? "\x1b[2m" + value + "\x1b[22m"
-            : tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m"
-                                     : value;
-    line +=
-        in_columns(row.is_folder || entry == nullptr ? "" : " " + entry->access, access_columns);
-    return is_chosen ? "\x1b[7m" + line + "\x1b[27m" : line;
+    const std::size_t name_columns = std::min(longest_name_, rest * 2 / 5);
+    const std::size_t value_columns = rest > 0 ? rest - name_columns - 1 : 0;
+    const std::vector<std::string> names =
+        in_lines(row.name, name_columns > sign_columns ? name_columns - sign_columns : 0);
+    const std::vector<std::string> values = in_lines(tree_.value(row), value_columns);
+    std::string place(row.depth, ' ');
+    place += text::object_text(row.place.index, row.place.sub);
+    std::string sign = row.is_folder ? (row.is_open ? "- " : "+ ") : "  ";
+    std::string access = row.is_folder || entry == nullptr ? "" : " " + entry->access;
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i == 0 || i < std::max(names.size(), values.size()); ++i) {
+      if (i > 0 && value_columns == 0) break;  // no room for either
+      std::string line = in_columns(place, place_columns);
+      line += in_columns(sign + (i < names.size() ? names[i] : ""), name_columns) + ' ';
+      const std::string value = in_columns(i < values.size() ? values[i] : "", value_columns);
+      line += is_lost_                 ? "\x1b[2m" + value + "\x1b[22m"
+              : tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m"
+                                       : value;
+      line += in_columns(access, access_columns);
+      lines.push_back(is_chosen ? "\x1b[7m" + line + "\x1b[27m" : line);
+      place.clear();
+      sign = "  ";
+      access.clear();
+    }
+    return lines;
   }
 
   std::string last_row() const {
@@ -281,26 +298,57 @@ class Browser {
 
   void draw() {
     const Screen::Size size = Screen::size();
-    room_ = size.rows > 2 ? size.rows - 2 : 1;
-    if (place_ < first_) first_ = place_;
-    if (place_ >= first_ + room_) first_ = place_ - room_ + 1;
     std::vector<std::string> lines = {first_row()};
+    std::vector<std::string> last = in_lines(last_row(), size.columns);
+    if (last.size() * 3 > size.rows) last = {last_row()};
+    const std::size_t end = size.rows > last.size() ? size.rows - last.size() : 1;
+    room_ = end > 1 ? end - 1 : 1;
+    const auto append = [&lines, end](std::vector<std::string> more) {
+      for (std::string& line : more) {
+        if (lines.size() < end) lines.push_back(std::move(line));
+      }
+    };
     if (question_ == Question::confirm) {
-      for (std::size_t i = first_difference_;
-           i < change_.differences.size() && lines.size() <= room_; ++i) {
-        const NodeTree::Difference& each = change_.differences[i];
-        lines.push_back(fmt::format("{} {}: {} -> {}",
-                                    text::object_text(each.place.index, each.place.sub), each.name,
-                                    each.here, each.there));
+      for (std::size_t i = first_difference_; i < change_.differences.size(); ++i) {
+        append(in_lines(difference_text(change_.differences[i]), size.columns));
       }
     } else {
-      for (std::size_t i = first_; i < rows_.size() && lines.size() <= room_; ++i) {
-        lines.push_back(row_text(rows_[i], i == place_, size.columns));
+      longest_name_ = 0;
+      for (const NodeTree::Row& row : rows_) {
+        longest_name_ = std::max(longest_name_, columns_of(row.name) + sign_columns);
+      }
+      show_chosen(size.columns);
+      for (std::size_t i = first_; i < rows_.size() && lines.size() < end; ++i) {
+        append(row_lines(rows_[i], i == place_, size.columns));
       }
     }
-    lines.resize(std::max<std::size_t>(size.rows, 1) - 1);
-    lines.push_back(last_row());
+    lines.resize(end);
+    lines.insert(lines.end(), last.begin(), last.end());
     screen_.draw(lines);
+  }
+
+  static std::string difference_text(const NodeTree::Difference& each) {
+    return fmt::format("{} {}: {} -> {}", text::object_text(each.place.index, each.place.sub),
+                       each.name, each.here, each.there);
+  }
+
+  /// The chosen row is on the screen, whole where there is room for it, and none of the room is
+  /// left empty behind the last row.
+  void show_chosen(std::size_t columns) {
+    first_ = std::min(first_, place_);
+    if (rows_.empty()) return;
+    const auto height = [&](std::size_t row) {
+      return row_lines(rows_[row], false, columns).size();
+    };
+    std::size_t taken = height(place_);
+    for (std::size_t i = place_; i > first_; --i) {
+      taken += height(i - 1);
+      if (taken <= room_) continue;
+      first_ = i;
+      return;
+    }
+    for (std::size_t i = place_ + 1; i < rows_.size() && taken <= room_; ++i) taken += height(i);
+    while (first_ > 0 && taken + height(first_ - 1) <= room_) taken += height(--first_);
   }
 
   Session& session_;
@@ -318,6 +366,8 @@ class Browser {
   std::size_t place_ = 0;
   std::size_t first_ = 0;
   std::size_t room_ = 1;
+  static constexpr std::size_t sign_columns = 2;
+  std::size_t longest_name_ = 0;  ///< of the rows, with its sign
   std::size_t refreshed_ = 0;
   bool is_lost_ = false;
   bool is_over_ = false;

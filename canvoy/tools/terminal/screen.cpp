@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -152,6 +153,22 @@ std::string in_columns(std::string_view text, std::size_t columns) {
   }
   if (used < columns) made.append(columns - used, ' ');
   return made;
+}
+
+std::vector<std::string> in_lines(std::string_view text, std::size_t columns) {
+  std::vector<std::string> lines;
+  do {
+    std::size_t end = 0;
+    for (std::size_t used = 0; used < std::max<std::size_t>(columns, 1) && end < text.size();
+         ++used)
+      end += character_length(text.substr(end));
+    const std::size_t blank = end < text.size() ? text.rfind(' ', end) : std::string_view::npos;
+    if (blank != std::string_view::npos && blank > 0) end = blank;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  } while (!text.empty());
+  return lines;
 }
 
 }  // namespace canvoy::tools

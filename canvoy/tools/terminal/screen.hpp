@@ -65,5 +65,8 @@ class Screen {
 std::string in_columns(std::string_view text, std::size_t columns);
 /// Number of columns of a text.
 std::size_t columns_of(std::string_view text);
+/// The text in lines of at most this many columns, at least one line: broken behind blanks, and
+/// within longer words. UTF-8, without escape sequences.
+std::vector<std::string> in_lines(std::string_view text, std::size_t columns);
 
 }  // namespace canvoy::tools

@@ -88,23 +88,41 @@ std::size_t room_of(std::string_view line) {
   return room;
 }
 
-void append_clipped(std::string& text, std::string_view line, std::size_t width) {
-  if (room_of(line) <= width) {
-    text += line;
-    return;
-  }
+/// Column where a line goes on in further rows: that of its text behind columns of a table.
+std::size_t hanging_indent(std::string_view line, std::size_t width) {
+  constexpr std::size_t usual = 4;
+  const std::size_t gap = line.substr(0, width / 2).rfind("  ");
+  const std::size_t begin = line.find_first_not_of(' ', gap == std::string_view::npos ? 0 : gap);
+  const bool has_columns = gap != std::string_view::npos && begin < width / 2;
+  return std::min(has_columns ? room_of(line.substr(0, begin)) : usual, width / 2);
+}
+
+void append_in_rows(std::string& text, std::string_view line, std::size_t width) {
+  const std::size_t indent = hanging_indent(line, width);
   std::size_t room = 0;
-  bool is_coloured = false;
+  std::size_t blank = 0;  // the last one at which the row may end; 0: none
+  bool has_text = false;  // before it
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t colour = colour_length(line.substr(at));
-    if (colour == 0 && begins_character(line[at]) && ++room == width) break;
-    if (colour != 0) is_coloured = line.substr(at, colour) != plain;
-    const std::size_t length = std::max<std::size_t>(colour, 1);
-    text += line.substr(at, length);
-    at += length;
+    const bool begins = colour == 0 && begins_character(line[at]);
+    if (begins && line[at] == ' ' && has_text) blank = at;
+    has_text = has_text || (begins && line[at] != ' ');
+    if (begins && room == width) {
+      const std::size_t end = blank != 0 ? blank : at;
+      text.append(line.substr(0, end));
+      line.remove_prefix(end);
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+      if (room_of(line) == 0) break;
+      text.append(1, '\n').append(indent, ' ');
+      room = indent;
+      at = 0;
+      blank = 0;
+      continue;
+    }
+    if (begins) ++room;
+    at += std::max<std::size_t>(colour, 1);
   }
-  text += ellipsis;
-  if (is_coloured) text += plain;
+  text += line;
 }
 
 }  // namespace
@@ -138,10 +156,10 @@ std::string coloured(std::string_view lines) {
   return text;
 }
 
-std::string clipped(std::string_view lines, std::size_t width) {
+std::string in_rows(std::string_view lines, std::size_t width) {
   std::string text;
   each_line(lines, [&text, width](std::string_view line, bool has_break) {
-    append_clipped(text, line, width);
+    append_in_rows(text, line, width);
     if (has_break) text += '\n';
   });
   return text;
@@ -150,7 +168,7 @@ std::string clipped(std::string_view lines, std::size_t width) {
 std::string terminal_text(std::string_view lines, int descriptor) {
   const std::size_t width = terminal_width(descriptor);
   const std::string text = wants_colour(descriptor) ? coloured(lines) : std::string(lines);
-  return width == 0 ? text : clipped(text, width);
+  return width == 0 ? text : in_rows(text, width);
 }
 
 }  // namespace canvoy::tools

@@ -24,10 +24,11 @@ std::size_t terminal_width(int descriptor);
 std::string coloured(std::string_view lines);
 /// Stands where a text was cut.
 inline constexpr std::string_view ellipsis = "…";
-/// Clips each line to this many characters; a clipped line ends with an ellipsis. UTF-8.
-std::string clipped(std::string_view lines, std::size_t width);
+/// Breaks each line into rows of at most this many characters, behind blanks where there are any;
+/// further rows are indented. UTF-8.
+std::string in_rows(std::string_view lines, std::size_t width);
 
-/// Colours and clips as needed for the descriptor.
+/// Colours and breaks lines as needed for the descriptor.
 std::string terminal_text(std::string_view lines, int descriptor);
 
 }  // namespace canvoy::tools

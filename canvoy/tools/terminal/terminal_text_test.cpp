@@ -22,13 +22,24 @@ TEST(TerminalText, TheFirstThatIsWrongSaysTheColour) {
 }
 
 TEST(TerminalText, NoLineIsLongerThanARow) {
-  EXPECT_EQ(clipped("12345\n123456\n", 5), "12345\n1234…\n");
-  EXPECT_EQ(clipped("20.0 °C now", 8), "20.0 °C…");
-  EXPECT_EQ(clipped("20.0 °C", 7), "20.0 °C");
-  EXPECT_EQ(clipped("", 5), "");
-  EXPECT_EQ(clipped("1 \x1B[31m345\x1B[0m", 5), "1 \x1B[31m345\x1B[0m") << "colours take no room";
-  EXPECT_EQ(clipped("1 \x1B[31m3456\x1B[0m", 5), "1 \x1B[31m34…\x1B[0m")
-      << "they end with the line";
+  EXPECT_EQ(in_rows("12345\n123456\n", 5), "12345\n12345\n  6\n");
+  EXPECT_EQ(in_rows("20.0 °C now", 8), "20.0 °C\n    now");
+  EXPECT_EQ(in_rows("20.0 °C", 7), "20.0 °C");
+  EXPECT_EQ(in_rows("", 5), "");
+  EXPECT_EQ(in_rows("12", 1), "1\n2") << "it ends";
+  EXPECT_EQ(in_rows("12345   ", 5), "12345") << "blanks make no row";
+}
+
+TEST(TerminalText, FurtherRowsBeginWhereTheTextOfTheLineBegins) {
+  EXPECT_EQ(in_rows("  PASS  at most 1.2 s, 15 s allowed", 20),
+            "  PASS  at most 1.2\n        s, 15 s\n        allowed");
+  EXPECT_EQ(in_rows("one two three", 9), "one two\n    three");
+}
+
+TEST(TerminalText, ColoursTakeNoRoomAndGoOn) {
+  EXPECT_EQ(in_rows("1 \x1B[31m345\x1B[0m", 5), "1 \x1B[31m345\x1B[0m");
+  EXPECT_EQ(in_rows("1 \x1B[31m3456\x1B[0m", 5), "1\n  \x1B[31m345\n  6\x1B[0m");
+  EXPECT_EQ(in_rows("12345 \x1B[0m", 5), "12345\x1B[0m");
 }
 
 TEST(TerminalText, ColourIsAWordOfThree) {

@@ -72,20 +72,7 @@ constexpr std::size_t place_columns = 13;
 constexpr std::size_t age_columns = 7;
 constexpr std::size_t rate_columns = 8;
 constexpr std::size_t bus_columns = 7;
-
-/// Two fifths of the rest are for the name, but not more than it needs.
-std::size_t name_columns(std::size_t columns, bool has_buses) {
-  const std::size_t fixed =
-      place_columns + age_columns + rate_columns + (has_buses ? bus_columns : 0);
-  constexpr std::size_t most = 44;
-  return columns <= fixed ? 0 : std::min(most, (columns - fixed) * 2 / 5);
-}
-
-std::size_t value_columns(std::size_t columns, bool has_buses) {
-  const std::size_t fixed =
-      place_columns + age_columns + rate_columns + (has_buses ? bus_columns : 0);
-  return columns <= fixed ? 0 : columns - fixed - name_columns(columns, has_buses);
-}
+constexpr std::string_view title_of_values = "value";
 
 }  // namespace
 
@@ -255,43 +242,86 @@ std::string LiveTable::place_text(const Shown& shown) const {
                      shown.key->object & 0xFFU);
 }
 
-std::string LiveTable::head(const View& view) const {
+/// Names have as many columns as the longest one needs, up to two fifths of the rest on a terminal.
+LiveTable::Widths LiveTable::widths(const std::vector<Shown>& rows, const View& view) const {
+  const std::size_t fixed =
+      place_columns + age_columns + rate_columns + (has_buses_ ? bus_columns : 0);
+  Widths needed = {.name = title_of_names().size() + 1, .value = title_of_values.size() + 1};
+  for (const Shown& each : rows) {
+    needed.name = std::max(needed.name, columns_of(each.name) + 1);
+    needed.value = std::max(needed.value, columns_of(each.value));
+  }
+  if (view.columns == View::as_needed) return needed;
+  const std::size_t rest = view.columns > fixed ? view.columns - fixed : 0;
+  const std::size_t name = std::min(needed.name, rest * 2 / 5);
+  return {.name = name, .value = rest - name};
+}
+
+std::string_view LiveTable::title_of_names() const {
+  return by_ == By::object ? "name" : "service";
+}
+
+std::string LiveTable::head(const Widths& widths) const {
   constexpr std::array<std::string_view, 3> places = {"node object", "id      node", "node"};
   std::string line = has_buses_ ? in_columns("bus", bus_columns) : std::string();
   line += in_columns(places.at(static_cast<std::size_t>(by_)), place_columns);
-  line +=
-      in_columns(by_ == By::object ? "name" : "service", name_columns(view.columns, has_buses_));
-  line += in_columns("value", value_columns(view.columns, has_buses_));
-  line += in_columns("    age", age_columns) + in_columns("    rate", rate_columns);
-  return in_columns(line, view.columns);
+  line += in_columns(title_of_names(), widths.name) + in_columns(title_of_values, widths.value);
+  return line + in_columns("    age", age_columns) + in_columns("    rate", rate_columns);
 }
 
-std::string LiveTable::line(const Shown& shown, const View& view) const {
+void LiveTable::append_row(std::vector<std::string>& lines, const Shown& shown,
+                           const Widths& widths, const View& view) const {
   const Row& row = *shown.row;
-  std::string line = has_buses_
-                         ? in_columns(formats::plain_text(shown.key->bus), bus_columns - 1) + ' '
-                         : std::string();
-  line += in_columns(place_text(shown), place_columns - 1) + ' ';
-  const std::size_t name_room = name_columns(view.columns, has_buses_);
-  const std::size_t value_room = value_columns(view.columns, has_buses_);
-  if (name_room > 1) line += in_columns(shown.name, name_room - 1) + ' ';
+  const std::size_t name_room = widths.name > 1 ? widths.name - 1 : 0;
+  const std::vector<std::string> names = in_lines(shown.name, name_room);
+  const std::vector<std::string> values = in_lines(shown.value, widths.value);
   const bool is_marked = view.has_marks && row.count > 1 && view.now - row.changed < change_span;
-  if (value_room > 0)
-    line += is_marked ? "\x1b[7m" + in_columns(shown.value, value_room) + "\x1b[27m"
-                      : in_columns(shown.value, value_room);
-  line += fmt::format("{:>7}{:>8}", age_text(view.now - row.time), rate_text(rate(row, view.now)));
   const bool is_faint =
       view.has_marks && row.recurrence.is_overdue(live_seconds(view.now - row.time));
-  return is_faint ? "\x1b[2m" + line + "\x1b[22m" : line;
+  std::string place = has_buses_
+                          ? in_columns(formats::plain_text(shown.key->bus), bus_columns - 1) + ' '
+                          : std::string();
+  place += in_columns(place_text(shown), place_columns - 1) + ' ';
+  std::string numbers =
+      fmt::format("{:>7}{:>8}", age_text(view.now - row.time), rate_text(rate(row, view.now)));
+  // Without room for names or values there is one line.
+  const std::size_t count =
+      std::max(name_room > 0 ? names.size() : 1, widths.value > 0 ? values.size() : 1);
+  for (std::size_t i = 0; i < count && lines.size() < view.rows; ++i) {
+    std::string line = place;
+    if (name_room > 0) line += in_columns(i < names.size() ? names[i] : "", name_room) + ' ';
+    const std::string value = in_columns(i < values.size() ? values[i] : "", widths.value);
+    line += is_marked && i < values.size() ? "\x1b[7m" + value + "\x1b[27m" : value;
+    line += numbers;
+    lines.push_back(is_faint ? "\x1b[2m" + line + "\x1b[22m" : line);
+    place.assign(columns_of(place), ' ');
+    numbers.assign(numbers.size(), ' ');
+  }
 }
 
 std::vector<std::string> LiveTable::lines(const View& view) const {
-  std::vector<std::string> lines = {head(view)};
   const std::vector<Shown> rows = chosen(view);
+  const Widths widths = this->widths(rows, view);
+  std::vector<std::string> lines = {head(widths)};
+  if (view.columns != View::as_needed) lines.front() = in_columns(lines.front(), view.columns);
   for (std::size_t i = view.first; i < rows.size() && lines.size() < view.rows; ++i) {
-    lines.push_back(line(rows[i], view));
+    append_row(lines, rows[i], widths, view);
   }
   return lines;
+}
+
+std::size_t LiveTable::page(const View& view) const {
+  const std::vector<Shown> rows = chosen(view);
+  const Widths widths = this->widths(rows, view);
+  View rest = view;
+  std::size_t count = 0;
+  for (std::size_t i = view.first; i < rows.size(); ++i, ++count) {
+    std::vector<std::string> lines;
+    append_row(lines, rows[i], widths, rest);
+    if (lines.size() + 1 >= rest.rows) break;
+    rest.rows -= lines.size();
+  }
+  return count;
 }
 
 std::string LiveTable::json(Duration now) const {

@@ -7,6 +7,7 @@
 //     show(line);
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -27,9 +28,12 @@ class LiveTable {
   static constexpr unsigned sort_count = 5;
 
   struct View {
+    static constexpr std::size_t as_needed = 0;   ///< of columns: each row is one line
+    static constexpr std::size_t all = SIZE_MAX;  ///< of rows
+
     Duration now{};
     std::size_t columns = 80;
-    std::size_t rows = 24;  ///< of the table, including its head
+    std::size_t rows = 24;  ///< lines of the table, including its head
     std::size_t first = 0;  ///< first row shown
     Sort sort = Sort::place;
     bool is_reversed = false;
@@ -41,8 +45,10 @@ class LiveTable {
 
   void take(Duration time, std::string_view bus, const Frame& frame, const text::FrameWords& words);
 
-  /// The head, and the rows of the view.
+  /// The head, and the rows of the view; long names and values go on in further lines.
   std::vector<std::string> lines(const View& view) const;
+  /// Number of rows that lines() has whole: a page.
+  std::size_t page(const View& view) const;
   /// All rows as JSON Lines.
   std::string json(Duration now) const;
   /// Number of rows of the view, shown or not.
@@ -107,9 +113,17 @@ class LiveTable {
   static double rate(const Row& row, Duration now);
   std::vector<Shown> chosen(const View& view) const;
   static void sort(std::vector<Shown>& shown, const View& view);
-  std::string line(const Shown& shown, const View& view) const;
+  /// Columns for names, with a blank behind them, and for values.
+  struct Widths {
+    std::size_t name;
+    std::size_t value;
+  };
+  Widths widths(const std::vector<Shown>& rows, const View& view) const;
+  std::string_view title_of_names() const;
+  void append_row(std::vector<std::string>& lines, const Shown& shown, const Widths& widths,
+                  const View& view) const;
   std::string place_text(const Shown& shown) const;
-  std::string head(const View& view) const;
+  std::string head(const Widths& widths) const;
 
   By by_;
   std::map<Key, Row> rows_;

@@ -4,6 +4,7 @@
 
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/terminal/terminal_text.hpp"
 
 namespace canvoy::tools {
 namespace live_table_test {
@@ -80,6 +81,54 @@ TEST_F(LiveTableTest, FramesOfOtherKindsHaveRowsOfTheirOwn) {
   EXPECT_TRUE(lines[3].starts_with("20000040   - ")) << lines[3];
 }
 
+/// All words of the columns from `first` on, of all lines.
+std::string column_text(const std::vector<std::string>& lines, std::size_t first,
+                        std::size_t columns) {
+  std::string text;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::string part = lines[i].substr(first, columns);
+    part.erase(part.find_last_not_of(' ') + 1);
+    if (!part.empty()) text += (text.empty() ? "" : " ") + part;
+  }
+  return text;
+}
+
+/// An abort has a text of 60 characters (CiA 301, 7.2.4.3.17).
+TEST_F(LiveTableTest, LongNamesAndValuesAreWholeOnTerminalsOfEachWidth) {
+  const Frame abort = Frame::data_frame(0x58A, {0x80, 0x10, 0x60, 0x00, 0x11, 0x00, 0x09, 0x06});
+  const std::string value(decoder_.decode(abort).text);
+  ASSERT_GT(value.size(), 40U);
+  LiveTable table(LiveTable::By::object);
+  table.take(0s, "can0", abort, decoder_.decode(abort));
+  for (const std::size_t columns : {60, 80, 100, 200}) {
+    const auto lines = table.lines({.now = 0s, .columns = columns, .rows = LiveTable::View::all});
+    for (const std::string& line : lines) {
+      EXPECT_EQ(columns_of(line), columns) << line;
+      EXPECT_EQ(line.find(ellipsis), std::string::npos) << line;
+    }
+    const std::size_t begin = lines[0].find("value");
+    EXPECT_EQ(column_text(lines, begin, lines[0].find("    age") - begin), value);
+    EXPECT_EQ(lines.size() > 2, columns < 200) << columns;
+  }
+  const auto lines = table.lines({.now = 0s, .columns = LiveTable::View::as_needed});
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_NE(lines[1].find(value), std::string::npos) << lines[1];
+}
+
+TEST_F(LiveTableTest, APageHasTheRowsThatAreWhole) {
+  LiveTable table(LiveTable::By::object);
+  for (int node = 1; node < 20; ++node) {
+    Frame abort = Frame::data_frame(0x580, {0x80, 0x10, 0x60, 0x00, 0x11, 0x00, 0x09, 0x06});
+    abort.id += static_cast<std::uint32_t>(node);
+    table.take(0s, "can0", abort, decoder_.decode(abort));
+  }
+  const LiveTable::View view = {.now = 0s, .columns = 80, .rows = 13};
+  const std::size_t each = table.lines({.columns = 80, .rows = LiveTable::View::all}).size() / 19;
+  ASSERT_GE(each, 2U);
+  EXPECT_NEAR(static_cast<double>(table.page(view)), 12.0 / static_cast<double>(each), 1);
+  EXPECT_EQ(table.lines(view).size(), 13U);
+}
+
 TEST_F(LiveTableTest, WhatHasChangedIsMarkedForASecond) {
   LiveTable table(LiveTable::By::object);
   temperature(table, 0s, 160);
@@ -121,6 +170,16 @@ TEST_F(LiveTableTest, ItEndsGrowing) {
   }
   EXPECT_TRUE(table.is_full());
   EXPECT_EQ(table.size(), 20'000U);
+}
+
+TEST(Screen, TextsGoOnBehindBlanks) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(in_lines("", 4), Lines{""});
+  EXPECT_EQ(in_lines("a bc def", 4), (Lines{"a bc", "def"}));
+  EXPECT_EQ(in_lines("a bc  def", 5), (Lines{"a bc ", "def"}));
+  EXPECT_EQ(in_lines("abcdefgh ij", 3), (Lines{"abc", "def", "gh", "ij"}));
+  EXPECT_EQ(in_lines("\xC2\xB5m/s \xC2\xB0", 4), (Lines{"\xC2\xB5m/s", "\xC2\xB0"}));
+  EXPECT_EQ(in_lines("ab", 0), (Lines{"a", "b"})) << "it ends";
 }
 
 TEST(Screen, TextsAreCutByColumnsNotByBytes) {

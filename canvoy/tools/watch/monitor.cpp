@@ -1,6 +1,7 @@
 // canvoy monitor SOURCE: every frame on a bus, or in a log, with its service in words.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/terminal/message.hpp"
+#include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/tools/watch/decode_log.hpp"
 #include "canvoy/tools/watch/frame_printer.hpp"
 #include "canvoy/tools/watch/line_output.hpp"
@@ -145,7 +147,7 @@ class BusMonitor {
       return;
     }
     LiveTable::View view = {
-        .now = now, .columns = Screen::size().columns, .rows = table_.size() + 1};
+        .now = now, .columns = terminal_width(STDOUT_FILENO), .rows = LiveTable::View::all};
     for (const std::string& line : table_.lines(view)) fmt::print("{}\n", line);
     fmt::print("{}\n", traffic_.text(now));
     if (!nodes_.text().empty()) fmt::print("{}\n", nodes_.text());
@@ -226,7 +228,7 @@ int show_log_table(const MonitorOptions& options) {
     return exit_done;
   }
   const LiveTable::View view = {
-      .now = last, .columns = Screen::size().columns, .rows = table.size() + 1};
+      .now = last, .columns = terminal_width(STDOUT_FILENO), .rows = LiveTable::View::all};
   for (const std::string& line : table.lines(view)) fmt::print("{}\n", line);
   if (!nodes.text().empty()) fmt::print("{}\n", nodes.text());
   return exit_done;

@@ -75,8 +75,9 @@ void TableScreen::take_search(Key key) {
 }
 
 bool TableScreen::take(Key key) {
-  const std::size_t count = (frozen_ ? *frozen_ : table_).count(view_);
-  if (const auto rows = rows_moved(key, view_.rows, count)) {
+  const LiveTable& table = frozen_ ? *frozen_ : table_;
+  const std::size_t count = table.count(view_);
+  if (const auto rows = rows_moved(key, table.page(view_), count)) {
     view_.first = moved_row(view_.first, *rows, count);
     return true;
   }
@@ -120,7 +121,9 @@ void TableScreen::draw(Duration now, const std::string& traffic, const std::stri
   std::vector<std::string> lines = {
       fmt::format("{}  {}{}", source_, traffic, frozen_ ? "   PAUSED" : "")};
   if (!alarm.empty()) lines.push_back("\x1b[1m" + alarm + "\x1b[22m");
-  if (!note.empty()) lines.push_back(note);
+  if (!note.empty()) {
+    for (std::string& line : in_lines(note, size.columns)) lines.push_back(std::move(line));
+  }
   const std::size_t around = lines.size() + 1;
   view_.rows = size.rows > around ? size.rows - around : 1;
   for (std::string& line : table.lines(view_)) lines.push_back(std::move(line));
