@@ -25,6 +25,8 @@ WRONG_USAGE = [
     (["raed", QUIET, "10", "6010"], "'raed'", "did you mean 'read'?"),
     (["nmt", QUIET, "10", "stopped", "--uncheked"], "'--uncheked'", "did you mean '--unchecked'?"),
     (["--fast"], "'--fast'", "canvoy --help"),
+    (["decode", "a.log", "--", "--eds", "9=a.eds"], "'--eds' stands after '--'", "without it: canvoy decode a.log --eds 9=a.eds"),
+    (["read", QUIET, "10", "6010", "--", "--json"], "'--json' stands after '--'", "6010 --json"),
     (["run"], "network", "canvoy run --help"),
     (["run", "boat"], "'boat'", "canvoy run --help"),
     (["run", "charger", "--fast"], "'--fast'", "canvoy run charger --help"),

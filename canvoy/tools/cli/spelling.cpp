@@ -53,6 +53,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   const std::string* closest = nullptr;
   for (const std::string& candidate : known) {
+    if (candidate == word) return {};
     const std::size_t longer = std::max(candidate.size(), word.size());
     if (longer - std::min(candidate.size(), word.size()) >= least) continue;
     const std::size_t away = distance(word, candidate);

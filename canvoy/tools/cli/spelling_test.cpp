@@ -23,6 +23,11 @@ TEST(SpellingTest, NamesTheClosest) {
   EXPECT_EQ(did_you_mean("--mode", {"--modes-of-all", "--move"}), "; did you mean '--move'?");
 }
 
+TEST(SpellingTest, NeverNamesTheWordItself) {
+  EXPECT_EQ(did_you_mean("--eds", {"--ends", "--eds"}), "");
+  EXPECT_EQ(did_you_mean("--EDS", {"--eds"}), "; did you mean '--eds'?");
+}
+
 TEST(SpellingTest, IsSilentWhereNoneIsClose) {
   EXPECT_EQ(did_you_mean("speed", {"node", "bus", "temperature"}), "");
   EXPECT_EQ(did_you_mean("", {"node"}), "");

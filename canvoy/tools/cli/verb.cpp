@@ -246,6 +246,12 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, const Wor
     return fmt::format("'{}' is not known here: {}", name, other);
   }
   const Words known = words_known_to(*verb.app, word.starts_with('-'));
+  const bool is_known = word.starts_with('-') && std::ranges::find(known, name) != known.end();
+  if (is_known && std::ranges::find(words, "--") != words.end()) {
+    return fmt::format(
+        "'{}' stands after '--', which ends the options; without it: {}; see {} --help", name,
+        line_without(words, {"--"}), verb.text);
+  }
   std::string meant = meant_by_letter(name, known);
   if (meant.empty()) meant = did_you_mean(name, known);
   if (!meant.empty()) {
