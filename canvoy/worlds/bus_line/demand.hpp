@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -39,20 +40,26 @@ class StopTable {
   };
 
   /// False where a row for the same stop, direction and hour exists.
-  bool add(const Row& row) {
-    return rows_.try_emplace(Key(row.stop, row.is_backward, row.hour), row.value).second;
-  }
+  bool add(const Row& row) { return rows_.try_emplace(key_of(row), row.value).second; }
   /// Logarithmic in the number of rows.
   Value at(std::size_t stop, bool is_backward, unsigned hour) const {
-    for (const Key& key : {Key(stop, is_backward, hour), Key(stop, is_backward, std::nullopt),
-                           Key(stop, std::nullopt, hour), Key(stop, std::nullopt, std::nullopt)}) {
+    const int direction = is_backward ? 1 : 0;
+    for (const Key& key : {Key(stop, direction, hour), Key(stop, direction, any),
+                           Key(stop, any, hour), Key(stop, any, any)}) {
       if (const auto found = rows_.find(key); found != rows_.end()) return found->second;
     }
     return {};
   }
 
  private:
-  using Key = std::tuple<std::size_t, std::optional<bool>, std::optional<unsigned>>;
+  using Key = std::tuple<std::size_t, int, std::int64_t>;
+  static constexpr int any = -1;  // direction or hour
+
+  static Key key_of(const Row& row) {
+    return {row.stop, row.is_backward ? (*row.is_backward ? 1 : 0) : any,
+            row.hour ? std::int64_t{*row.hour} : any};
+  }
+
   std::map<Key, Value> rows_;
 };
 
