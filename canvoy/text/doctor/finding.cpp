@@ -34,7 +34,7 @@ constexpr auto rows = std::to_array<FindingRow>({
      "Set the bit rate of this interface to that of the bus, or that of the device that differs "
      "(by LSS, a switch or its object) to the others'.",
      judge_wrong_bit_rate},
-    {not_acknowledged, "not-acknowledged", error, "one node is alone on the bus",
+    {not_acknowledged, "not-acknowledged", error, "one node is alone, or alone with its bit rate",
      "A frame that nobody acknowledges is sent again and again, and its sender says nothing else.",
      "Are other devices switched on, on this piece of cable, and not in listen-only mode? Have "
      "they the same bit rate? Measure the cable for a break.",

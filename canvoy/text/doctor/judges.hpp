@@ -11,6 +11,9 @@ std::string short_time(Duration time);
 /// A count in words: `once`, `twice`, `12 times`.
 std::string times_text(std::uint64_t count);
 
+/// A finding of what was counted; node 0: not of a single node.
+Finding found(FindingKind kind, NodeId node, const Tally& seen, std::string what);
+
 // The wire
 
 /// No frame and no error frame was heard.

@@ -95,13 +95,9 @@ void judge_guarding(const Observed& bus, Findings& findings, NodeId node) {
   const Guarding& guarding = bus.guarding.at(node);
   if (guarding.most_in_row < Guarding::lost_from) return;
   findings.push_back(
-      {.kind = FindingKind::heartbeat_missing,
-       .node = node,
-       .count = guarding.missed.count,
-       .first = guarding.missed.first,
-       .last = guarding.missed.last,
-       .what = fmt::format("{} has left {} guarding requests without an answer, {} in a row.",
-                           node_text(node), guarding.missed.count, guarding.most_in_row)});
+      found(FindingKind::heartbeat_missing, node, guarding.missed,
+            fmt::format("{} has left {} guarding requests without an answer, {} in a row.",
+                        node_text(node), guarding.missed.count, guarding.most_in_row)));
 }
 
 /// A node that another one waits for (1016h), and of which no frame was heard.
@@ -207,14 +203,10 @@ void judge_unexpected_boot_up(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const Tally& boots = bus.nodes.of(node).boot_ups;
     if (boots.count == 0) return;
-    findings.push_back({.kind = FindingKind::unexpected_boot_up,
-                        .node = node,
-                        .count = boots.count,
-                        .first = boots.first,
-                        .last = boots.last,
-                        .what = fmt::format("{} has started anew {}, and no NMT command had asked "
-                                            "for it.",
-                                            node_text(node), times_text(boots.count))});
+    findings.push_back(found(FindingKind::unexpected_boot_up, node, boots,
+                             fmt::format("{} has started anew {}, and no NMT command had asked "
+                                         "for it.",
+                                         node_text(node), times_text(boots.count))));
   });
 }
 
@@ -222,16 +214,12 @@ void judge_emergency_storm(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const HeardNode& heard = bus.nodes.of(node);
     if (heard.storm.count == 0) return;
-    findings.push_back({.kind = FindingKind::emergency_storm,
-                        .node = node,
-                        .count = heard.emergencies.count,
-                        .first = heard.emergencies.first,
-                        .last = heard.emergencies.last,
-                        .what = fmt::format("{} has sent {} emergencies, more than {} in {} s. The "
-                                            "latest is {:04X}h: {}.",
-                                            node_text(node), heard.emergencies.count,
-                                            NodeWatch::storm_least, NodeWatch::storm_time / 1s,
-                                            heard.error_code, emergency_text(heard.error_code))});
+    findings.push_back(found(FindingKind::emergency_storm, node, heard.emergencies,
+                             fmt::format("{} has sent {} emergencies, more than {} in {} s. The "
+                                         "latest is {:04X}h: {}.",
+                                         node_text(node), heard.emergencies.count,
+                                         NodeWatch::storm_least, NodeWatch::storm_time / 1s,
+                                         heard.error_code, emergency_text(heard.error_code))));
   });
 }
 
@@ -252,15 +240,11 @@ void judge_reported_error(const Observed& bus, Findings& findings) {
       codes.push_back(fmt::format("{:04X}h: {}", code, emergency_text(code)));
     }
     findings.push_back(
-        {.kind = FindingKind::reported_error,
-         .node = node,
-         .count = heard.errors.count,
-         .first = heard.errors.first,
-         .last = heard.errors.last,
-         .what = fmt::format("{} has told of an error {}: {}. {}", node_text(node),
-                             times_text(heard.errors.count), fmt::join(codes, "; "),
-                             heard.error_code == 0 ? "The latest emergency says that it is gone."
-                                                   : "Nothing says that it is gone.")});
+        found(FindingKind::reported_error, node, heard.errors,
+              fmt::format("{} has told of an error {}: {}. {}", node_text(node),
+                          times_text(heard.errors.count), fmt::join(codes, "; "),
+                          heard.error_code == 0 ? "The latest emergency says that it is gone."
+                                                : "Nothing says that it is gone.")));
   });
 }
 
@@ -268,19 +252,14 @@ void judge_sdo_time_out(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const HeardServer& server = bus.sdos.of(node);
     if (server.time_outs.count == 0) return;
-    findings.push_back(
-        {.kind = FindingKind::sdo_time_out,
-         .node = node,
-         .count = server.time_outs.count,
-         .first = server.time_outs.first,
-         .last = server.time_outs.last,
-         .what = fmt::format("{} is there, and has left SDO requests without an "
-                             "answer {}, the latest one for {}.{}",
-                             node_text(node), times_text(server.time_outs.count),
-                             object_text(server.index, server.sub),
-                             server.answers == 0
-                                 ? std::string(" It has answered to none.")
-                                 : fmt::format(" It has answered to {}.", server.answers))});
+    findings.push_back(found(
+        FindingKind::sdo_time_out, node, server.time_outs,
+        fmt::format("{} is there, and has left SDO requests without an "
+                    "answer {}, the latest one for {}.{}",
+                    node_text(node), times_text(server.time_outs.count),
+                    object_text(server.index, server.sub),
+                    server.answers == 0 ? std::string(" It has answered to none.")
+                                        : fmt::format(" It has answered to {}.", server.answers))));
   });
 }
 
@@ -288,16 +267,11 @@ void judge_sdo_slow(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const HeardServer& server = bus.sdos.of(node);
     if (server.slow.count == 0) return;
-    findings.push_back(
-        {.kind = FindingKind::sdo_slow,
-         .node = node,
-         .count = server.slow.count,
-         .first = server.slow.first,
-         .last = server.slow.last,
-         .what = fmt::format("{} took {} or longer for an SDO answer {}, {} at most, for {}.",
-                             node_text(node), short_time(SdoWatch::slow_from),
-                             times_text(server.slow.count), short_time(server.slowest),
-                             object_text(server.index, server.sub))});
+    findings.push_back(found(
+        FindingKind::sdo_slow, node, server.slow,
+        fmt::format("{} took {} or longer for an SDO answer {}, {} at most, for {}.",
+                    node_text(node), short_time(SdoWatch::slow_from), times_text(server.slow.count),
+                    short_time(server.slowest), object_text(server.index, server.sub))));
   });
 }
 

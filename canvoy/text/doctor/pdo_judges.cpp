@@ -118,14 +118,10 @@ void judge_quiet(const Observed& bus, Findings& findings) {
     const Tally& sent = bus.quiet.of(node);
     if (sent.count < least) continue;
     findings.push_back(
-        {.kind = FindingKind::against_protocol,
-         .node = node,
-         .count = sent.count,
-         .first = sent.first,
-         .last = sent.last,
-         .what = fmt::format("{} has sent PDOs, {}, while it said that it is stopped or "
-                             "pre-operational (CiA 301, 7.3.2.2).",
-                             node_text(node), times_text(sent.count))});
+        found(FindingKind::against_protocol, node, sent,
+              fmt::format("{} has sent PDOs, {}, while it said that it is stopped or "
+                          "pre-operational (CiA 301, 7.3.2.2).",
+                          node_text(node), times_text(sent.count))));
   }
 }
 
@@ -197,27 +193,19 @@ std::string entry_text(const std::tuple<NodeId, std::uint16_t, std::uint8_t>& pl
 void judge_reserved_value(const Observed& bus, Findings& findings) {
   for (const auto& [place, value] : bus.values.wrong()) {
     findings.push_back(
-        {.kind = FindingKind::reserved_value,
-         .node = std::get<0>(place),
-         .count = value.tally.count,
-         .first = value.tally.first,
-         .last = value.tally.last,
-         .what = fmt::format("{} had a value that is {}, {}.", entry_text(place, value),
-                             value.mark == decoder::Mark::reserved ? "reserved" : "out of range",
-                             times_text(value.tally.count))});
+        found(FindingKind::reserved_value, std::get<0>(place), value.tally,
+              fmt::format("{} had a value that is {}, {}.", entry_text(place, value),
+                          value.mark == decoder::Mark::reserved ? "reserved" : "out of range",
+                          times_text(value.tally.count))));
   }
 }
 
 void judge_failed_value(const Observed& bus, Findings& findings) {
   for (const auto& [place, value] : bus.values.failed()) {
     findings.push_back(
-        {.kind = FindingKind::failed_value,
-         .node = std::get<0>(place),
-         .count = value.tally.count,
-         .first = value.tally.first,
-         .last = value.tally.last,
-         .what = fmt::format("{} says '{}' in place of a value, {}.", entry_text(place, value),
-                             value.meaning, times_text(value.tally.count))});
+        found(FindingKind::failed_value, std::get<0>(place), value.tally,
+              fmt::format("{} says '{}' in place of a value, {}.", entry_text(place, value),
+                          value.meaning, times_text(value.tally.count))));
   }
 }
 
@@ -227,15 +215,10 @@ void judge_against_protocol(const Observed& bus, Findings& findings) {
     const auto& [node, mark] = place;
     const std::string of =
         node == 0 ? std::string("of nobody known") : fmt::format("of {}", node_text(node));
-    findings.push_back(
-        {.kind = FindingKind::against_protocol,
-         .node = node,
-         .count = tally.count,
-         .first = tally.first,
-         .last = tally.last,
-         .what = fmt::format("Messages {} are against CiA 301 or its profile, {}: "
-                             "{}.",
-                             of, times_text(tally.count), decoder::mark_name(mark))});
+    findings.push_back(found(FindingKind::against_protocol, node, tally,
+                             fmt::format("Messages {} are against CiA 301 or its profile, {}: "
+                                         "{}.",
+                                         of, times_text(tally.count), decoder::mark_name(mark))));
   }
 }
 

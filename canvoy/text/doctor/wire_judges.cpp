@@ -116,15 +116,19 @@ std::string by_id_text(const Observed& bus, NodeId node) {
 }
 
 Finding of_errors(FindingKind kind, const Observed& bus, std::string what) {
-  const Tally& errors = bus.errors.errors();
-  return {.kind = kind,
-          .count = errors.count,
-          .first = errors.first,
-          .last = errors.last,
-          .what = std::move(what)};
+  return found(kind, 0, bus.errors.errors(), std::move(what));
 }
 
 }  // namespace
+
+Finding found(FindingKind kind, NodeId node, const Tally& seen, std::string what) {
+  return {.kind = kind,
+          .node = node,
+          .count = seen.count,
+          .first = seen.first,
+          .last = seen.last,
+          .what = std::move(what)};
+}
 
 std::string short_time(Duration time) {
   const auto micros = static_cast<double>(time.count());
@@ -168,7 +172,7 @@ void judge_not_acknowledged(const Observed& bus, Findings& findings) {
   findings.push_back(of_errors(
       FindingKind::not_acknowledged, bus,
       fmt::format("Of {} error frames, {} say that a frame was not acknowledged: who sends it is "
-                  "alone.{}",
+                  "alone, or no other node has its bit rate.{}",
                   bus.errors.errors().count, bus.errors.unacknowledged(), state_text(bus))));
 }
 
@@ -213,15 +217,12 @@ void judge_load_peak(const Observed& bus, Findings& findings) {
     if (share.node != 0) senders += fmt::format(" of {}", node_text(share.node));
   }
   const auto& shares = bus.traffic.peak_shares();
-  findings.push_back({.kind = FindingKind::load_peak,
-                      .node = shares.empty() ? NodeId{0} : shares.front().node,
-                      .count = peaks.count,
-                      .first = peaks.first,
-                      .last = peaks.last,
-                      .what = fmt::format("In {} s the bus was busy for more than {:.0f} % of a "
-                                          "second, at most for {:.0f} %. Who made that one: {}.",
-                                          peaks.count, TrafficWatch::load_most * 100,
-                                          bus.traffic.highest_load() * 100, senders)});
+  findings.push_back(found(FindingKind::load_peak, shares.empty() ? NodeId{0} : shares.front().node,
+                           peaks,
+                           fmt::format("In {} s the bus was busy for more than {:.0f} % of a "
+                                       "second, at most for {:.0f} %. Who made that one: {}.",
+                                       peaks.count, TrafficWatch::load_most * 100,
+                                       bus.traffic.highest_load() * 100, senders)));
 }
 
 void judge_lost_bus(const Observed& bus, Findings& findings) {
@@ -240,13 +241,10 @@ void judge_silence(const Observed& bus, Findings& findings) {
   const Tally& silences = bus.traffic.silences();
   if (silences.count == 0) return;
   findings.push_back(
-      {.kind = FindingKind::silence,
-       .count = silences.count,
-       .first = silences.first,
-       .last = silences.last,
-       .what = fmt::format("Nobody spoke for {} s or longer, {}; the longest silence was {}.",
-                           TrafficWatch::silence_least / 1s, times_text(silences.count),
-                           short_time(bus.traffic.longest_silence()))});
+      found(FindingKind::silence, 0, silences,
+            fmt::format("Nobody spoke for {} s or longer, {}; the longest silence was {}.",
+                        TrafficWatch::silence_least / 1s, times_text(silences.count),
+                        short_time(bus.traffic.longest_silence()))));
 }
 
 }  // namespace canvoy::text
