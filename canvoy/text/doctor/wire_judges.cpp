@@ -228,10 +228,10 @@ void judge_load_peak(const Observed& bus, Findings& findings) {
 void judge_lost_bus(const Observed& bus, Findings& findings) {
   const Tally& losses = bus.losses;
   if (losses.count == 0) return;
-  findings.push_back(found(FindingKind::lost_bus, 0, losses,
-                           fmt::format("It was lost {} after the beginning, {}: {}.",
-                                       short_time(losses.first - bus.begin),
-                                       times_text(losses.count), bus.loss)));
+  findings.push_back(
+      found(FindingKind::lost_bus, 0, losses,
+            fmt::format("It was lost {} after the beginning, {}: {}.",
+                        short_time(losses.first - bus.begin), times_text(losses.count), bus.loss)));
 }
 
 void judge_silence(const Observed& bus, Findings& findings) {

@@ -100,7 +100,7 @@ TEST_F(LiveTableTest, LongNamesAndValuesAreWholeOnTerminalsOfEachWidth) {
   ASSERT_GT(value.size(), 40U);
   LiveTable table(LiveTable::By::object);
   table.take(0s, "can0", abort, decoder_.decode(abort));
-  for (const std::size_t columns : {60, 80, 100, 200}) {
+  for (const std::size_t columns : {60U, 80U, 100U, 200U}) {
     const auto lines = table.lines({.now = 0s, .columns = columns, .rows = LiveTable::View::all});
     for (const std::string& line : lines) {
       EXPECT_EQ(columns_of(line), columns) << line;
