@@ -78,8 +78,9 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
   bool is_over() const override { return is_over_; }
   bool is_live() const override { return client_ != nullptr; }
   std::size_t unread() const override {
-    return is_writing_ ? response_.body().size() + message_.size() : std::size_t{0};
+    return is_writing_ && !is_over_ ? response_.body().size() + message_.size() : std::size_t{0};
   }
+  Time sending_since() const override { return sending_since_; }
   Time heard_at() const override { return heard_at_; }
   void give_way() override {
     client_.reset();
@@ -104,6 +105,7 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
   }
   void offer() override {
     if (client_ == nullptr || is_writing_ || is_over_) return;
+    owner_.make_unread_room(1);
     if (owner_.unread() >= owner_.limits.unread_max) return;
     message_ = client_->next();
     if (message_.size() > owner_.limits.answer_max) return end();
@@ -143,7 +145,10 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
                   .hosts = head.count(http::field::host),
                   .origins = head.count(http::field::origin),
                   .sites = head.count("Sec-Fetch-Site"),
-                  .authorizations = head.count(http::field::authorization)});
+                  .authorizations = head.count(http::field::authorization),
+                  .types = head.count(http::field::content_type),
+                  .socket_keys = head.count(http::field::sec_websocket_key),
+                  .coding = view_of(head[http::field::transfer_encoding])});
     if (!fault.empty()) return respond_last(told(400, fault));
     const boost::beast::string_view expected = head[http::field::expect];
     // Expect is ignored for HTTP/1.0 (RFC 9110, 10.1.1).
@@ -264,6 +269,7 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
     if (answer.body.size() > owner_.limits.answer_max) {
       return respond(told(500, "the answer is too long: ask for less"));
     }
+    owner_.make_unread_room(answer.body.size());
     const std::size_t unread = owner_.unread();
     if (unread != 0 && unread + answer.body.size() > owner_.limits.unread_max) {
       const WebResponse busy = told(503, "others have not taken their answers yet");
@@ -306,13 +312,18 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
       response_.erase(http::field::content_length);
     }
     if (request_.method() == http::verb::head) response_.body().clear();
-    is_writing_ = true;
-    deadline_ = owner_.loop.now() + owner_.limits.message_time_out;
+    begin_to_send();
     http::async_write(socket_, response_,
                       [self = shared_from_this()](const Failed& failed, std::size_t) {
                         self->has_responded(failed);
                       });
     owner_.turn_soon();
+  }
+
+  void begin_to_send() {
+    is_writing_ = true;
+    sending_since_ = owner_.loop.now();
+    deadline_ = sending_since_ + owner_.limits.message_time_out;
   }
 
   void has_responded(const Failed& failed) {
@@ -409,8 +420,7 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
 
   void send_message() {
     check_invariant(stream_.has_value());
-    is_writing_ = true;
-    deadline_ = owner_.loop.now() + owner_.limits.message_time_out;
+    begin_to_send();
     stream_->async_write(
         boost::asio::buffer(message_),
         [self = shared_from_this()](const Failed& failed, std::size_t) { self->has_sent(failed); });
@@ -439,7 +449,8 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
   host::EventLoop::Id watch_ = 0;
   host::Readiness wanted_{.readable = true};
   Time deadline_ = never;
-  Time second_{};    ///< start of the count of messages
+  Time second_{};  ///< start of the count of messages
+  Time sending_since_{};
   Time heard_at_{};  ///< time of the last message of the client
   unsigned said_ = 0;
   bool is_reading_ = false;

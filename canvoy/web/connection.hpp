@@ -34,6 +34,9 @@ class ConnectionOwner {
 
   /// Bytes of answers and messages that clients have not received yet.
   virtual std::size_t unread() const = 0;
+  /// Disconnects those that have left unread for longest what was sent to them, until there is room
+  /// for so many bytes.
+  virtual void make_unread_room(std::size_t bytes) = 0;
   /// Performs the work of Asio in this turn of the loop or in the next one.
   virtual void turn_soon() = 0;
   /// Makes room for one more client with a WebSocket.
@@ -60,7 +63,8 @@ class Connection {
   virtual bool is_live() const = 0;  ///< has a WebSocket
   /// Bytes of its answer or message that it has not received yet.
   virtual std::size_t unread() const = 0;
-  virtual Time heard_at() const = 0;  ///< time of the last message of the client
+  virtual Time sending_since() const = 0;  ///< time at which its answer or message was begun
+  virtual Time heard_at() const = 0;       ///< time of the last message of the client
   /// Ends the WebSocket with a status that tells the page not to reconnect by itself.
   virtual void give_way() = 0;
   virtual bool is_late() const = 0;  ///< its time-out has passed

@@ -4,12 +4,29 @@
 
 namespace canvoy::web {
 
+namespace {
+
+/// Compares without case; `word` is in lower case.
+bool is_same(std::string_view text, std::string_view word) {
+  const auto lower = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::ranges::equal(text, word, {}, lower);
+}
+
+}  // namespace
+
 std::string_view fault_of(const HeadCounts& counts) {
   if (counts.hosts > 1) return "a request has one Host";
   if (counts.hosts == 0 && counts.is_1_1) return "a request of HTTP/1.1 has a Host";
   if (counts.origins > 1) return "a request has one Origin";
   if (counts.sites > 1) return "a request has one Sec-Fetch-Site";
   if (counts.authorizations > 1) return "a request has one Authorization";
+  if (counts.types > 1) return "a request has one Content-Type";
+  if (counts.socket_keys > 1) return "a request has one Sec-WebSocket-Key";
+  if (!counts.coding.empty() && !is_same(counts.coding, "chunked")) {
+    return "a body comes as it is, or chunked";
+  }
   return {};
 }
 
@@ -26,12 +43,7 @@ bool is_socket_key(std::string_view text) {
 }
 
 bool is_json(std::string_view type) {
-  constexpr std::string_view json = "application/json";
-  type = type.substr(0, type.find_first_of("; \t"));
-  const auto lower = [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  };
-  return std::ranges::equal(type, json, {}, lower);
+  return is_same(type.substr(0, type.find_first_of("; \t")), "application/json");
 }
 
 bool accepts_gzip(std::string_view accepted) {

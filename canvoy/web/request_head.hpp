@@ -16,9 +16,13 @@ struct HeadCounts {
   std::size_t origins = 0;
   std::size_t sites = 0;  ///< Sec-Fetch-Site
   std::size_t authorizations = 0;
+  std::size_t types = 0;        ///< Content-Type
+  std::size_t socket_keys = 0;  ///< Sec-WebSocket-Key
+  std::string_view coding{};    ///< Transfer-Encoding
 };
 
-/// Reason why the request is invalid, in one line; empty: valid (RFC 9112, 3.2: one Host).
+/// Reason why the request is invalid, in one line; empty: valid (RFC 9112, 3.2: one Host; 6.3:
+/// a body whose last coding is not chunked has no certain end; other codings are not undone).
 std::string_view fault_of(const HeadCounts& counts);
 
 /// True if the text is 16 bytes in base64, as required of Sec-WebSocket-Key (RFC 6455, 4.2.1).

@@ -19,6 +19,17 @@ TEST(RequestHead, HasAtMostOneOfEachFieldThatDecides) {
   EXPECT_NE(fault_of({.hosts = 1, .origins = 2}), "");
   EXPECT_NE(fault_of({.hosts = 1, .sites = 2}), "");
   EXPECT_NE(fault_of({.hosts = 1, .authorizations = 2}), "");
+  EXPECT_NE(fault_of({.hosts = 1, .types = 2}), "");
+  EXPECT_NE(fault_of({.hosts = 1, .socket_keys = 2}), "");
+}
+
+// RFC 9112, 6.3: without chunked at the end nobody knows where the body ends.
+TEST(RequestHead, HasNoCodingButChunked) {
+  EXPECT_EQ(fault_of({.hosts = 1, .coding = "chunked"}), "");
+  EXPECT_EQ(fault_of({.hosts = 1, .coding = "Chunked"}), "");
+  for (const char* coding : {"identity", "gzip, chunked", "chunked, gzip", "gzip"}) {
+    EXPECT_NE(fault_of({.hosts = 1, .coding = coding}), "") << coding;
+  }
 }
 
 // RFC 6455, 4.2.1; the first key is the example of RFC 6455, 1.3.

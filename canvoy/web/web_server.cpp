@@ -64,6 +64,7 @@ class WebServer::Hub : public ConnectionOwner {
   Hub& operator=(const Hub&) = delete;
 
   std::size_t unread() const override;
+  void make_unread_room(std::size_t bytes) override;
   void turn_soon() override;
   void make_live_room() override;
 
@@ -150,6 +151,18 @@ std::size_t WebServer::Hub::unread() const {
   std::size_t bytes = 0;
   for (const auto& connection : connections_) bytes += connection->unread();
   return bytes;
+}
+
+void WebServer::Hub::make_unread_room(std::size_t bytes) {
+  for (std::size_t held = unread(); held != 0 && held + bytes > limits.unread_max;
+       held = unread()) {
+    const auto since = [](const auto& each) {
+      return each->unread() == 0 ? Time::max() : each->sending_since();
+    };
+    const auto longest = std::ranges::min_element(connections_, {}, since);
+    if (since(*longest) > loop.now() - limits.unread_for_others) return;
+    (*longest)->end();
+  }
 }
 
 /// The viewer that was silent for longest is removed before a new one is refused.

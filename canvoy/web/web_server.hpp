@@ -83,9 +83,12 @@ struct WebLimits {
   Duration request_time_out = 10s;     ///< from its first byte to its answer
   Duration idle_time_out = 30s;        ///< between two requests
   Duration message_time_out = 20s;     ///< to receive a message; else the client is disconnected
-  /// Bytes of answers and messages that were not yet received, for all clients together. Beyond, a
-  /// request gets 503, and messages of WebSockets wait.
+  /// Bytes of answers and messages that were not yet received, for all clients together. Beyond,
+  /// after `unread_for_others`, a request gets 503, and messages of WebSockets wait.
   std::size_t unread_max = std::size_t{64} << 20;
+  /// Where `unread_max` is reached, the client that has left something unread longest is
+  /// disconnected, if for so long.
+  Duration unread_for_others = 2s;
   /// Bytes of one answer or message: a longer answer becomes a 500, a longer message ends its
   /// WebSocket. A client has one of them at a time, so this limits the memory for one client.
   std::size_t answer_max = std::size_t{32} << 20;

@@ -432,8 +432,26 @@ TEST_F(WebServerTest, AViewerTakesThePlaceOfTheOneThatHasSaidNothingForLongest) 
   EXPECT_TRUE(has(silent_heard, "\x88")) << silent_heard;
 }
 
+TEST_F(WebServerTest, WhoTakesNothingLeavesWhereOthersNeedTheBudget) {
+  serve({.send_buffer = 4096, .unread_max = 1 << 20, .unread_for_others = 0s});
+  application_.answer_size = 800 << 10;
+  std::string first_heard;
+  std::string second;
+  play([&] {
+    Client first(server_->address());
+    first.say(request("GET /api/a"));
+    first_heard = first.heard("HTTP/1.1 200 ");
+    Client other(server_->address());
+    other.say(request("GET /api/a"));
+    second = other.heard();
+    first_heard += first.heard();
+  });
+  EXPECT_TRUE(has(second, "HTTP/1.1 200 ")) << second.substr(0, 200);
+  EXPECT_LT(first_heard.size(), std::size_t{800} << 10) << "it was cut";
+}
+
 TEST_F(WebServerTest, AnswersThatNobodyTakesHaveABudget) {
-  serve({.send_buffer = 4096, .unread_max = 1 << 20});
+  serve({.send_buffer = 4096, .unread_max = 1 << 20, .unread_for_others = 1h});
   application_.answer_size = 800 << 10;
   std::string second;
   play([&] {
