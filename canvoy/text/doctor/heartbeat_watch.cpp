@@ -61,6 +61,46 @@ void CrossingWatch::hear(Time at, std::optional<Duration> period) {
   if (crossed_.count() >= crossed_least) found_ = at;
 }
 
+void PeriodsWatch::hear(Time at) {
+  constexpr std::size_t least = 12;
+  times_[count_++ % times_max] = at;
+  if (count_ < least || is_near(ago(0) - ago(1), ago(1) - ago(2))) return;
+  // Between two heartbeats of the shorter period comes at most one of the longer.
+  for (const std::size_t start : {0U, 1U}) {
+    for (const std::size_t step : {1U, 2U}) try_period(start, ago(start) - ago(start + step));
+  }
+}
+
+/// Assigns each heartbeat to the sender whose sequence ends with number `start`, or to the other.
+void PeriodsWatch::try_period(std::size_t start, Duration period) {
+  constexpr unsigned mine_least = 6;
+  constexpr unsigned others_least = 4;
+  const std::size_t heard = std::min(count_, times_max);
+  unsigned mine = 1;
+  unsigned others = 0;
+  Time my_time = ago(start);
+  Time other_time{};
+  Duration other_period{};
+  for (std::size_t back = 0; back < heard; ++back) {
+    if (back == start) continue;
+    const Time time = ago(back);
+    if (back > start && is_near(my_time - time, period)) {
+      my_time = time;
+      ++mine;
+      continue;
+    }
+    if (back > start && my_time - time > period) return;
+    if (others == 1) other_period = other_time - time;
+    if (others > 1 && !is_near(other_time - time, other_period)) return;
+    other_time = time;
+    ++others;
+  }
+  const bool is_enough = mine >= mine_least && others >= others_least;
+  if (is_enough && other_period > period && !is_near(other_period, period)) {
+    found_ = TwoPeriods{period, other_period, ago(0)};
+  }
+}
+
 void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expected,
                           Duration awake) {
   is_heard_ = true;
@@ -75,6 +115,7 @@ void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expec
   }
   rhythm_.hear(at, expected);
   crossings_.hear(at, expected);
+  periods_.hear(at);
   take_state(at, state);
   is_running_ = true;
   latest_ = at;
@@ -110,6 +151,7 @@ void NodeHeartbeats::commanded(bool is_reset) {
   is_running_ = false;
   rhythm_.restart();
   crossings_.restart();
+  periods_.restart();
 }
 
 void NodeHeartbeats::forget() {
@@ -119,6 +161,7 @@ void NodeHeartbeats::forget() {
   gaps_.clear();
   rhythm_.restart();
   crossings_.restart();
+  periods_.restart();
 }
 
 void NodeHeartbeats::end(Time at, Duration awake) {

@@ -52,6 +52,34 @@ class CrossingWatch {
   std::optional<Time> found_;
 };
 
+/// The periods of two senders, the shorter one first.
+struct TwoPeriods {
+  Duration shorter{};
+  Duration longer{};
+  Time last{};  ///< time of the last confirmation
+};
+
+/// Detects two senders with different periods, both unknown: all heartbeats belong to one of two
+/// regular sequences.
+class PeriodsWatch {
+ public:
+  /// Takes a heartbeat; at most 256 comparisons.
+  void hear(Time at);
+  /// Starts again: the next heartbeat is not compared with earlier ones.
+  void restart() { count_ = 0; }
+  /// The two periods; nothing: one, or too few heartbeats.
+  const std::optional<TwoPeriods>& found() const { return found_; }
+
+ private:
+  static constexpr std::size_t times_max = 64;
+  Time ago(std::size_t back) const { return times_[(count_ - 1 - back) % times_max]; }
+  void try_period(std::size_t start, Duration period);
+
+  std::array<Time, times_max> times_{};  ///< the last heartbeats, as a ring buffer
+  std::size_t count_ = 0;
+  std::optional<TwoPeriods> found_;
+};
+
 /// Detects two rhythms in one sequence.
 class RhythmWatch {
  public:
@@ -114,6 +142,8 @@ class NodeHeartbeats {
   const std::optional<TwoRhythms>& two_rhythms() const { return rhythm_.found(); }
   /// The time when other heartbeats last came between those of its period; nothing: never.
   const std::optional<Time>& crossed() const { return crossings_.found(); }
+  /// Two periods, as of two devices with this node-ID; nothing: one period.
+  const std::optional<TwoPeriods>& two_periods() const { return periods_.found(); }
   /// Number of alternations between two states without an NMT command.
   unsigned state_turns() const { return most_turns_; }
   /// The two alternating states.
@@ -141,6 +171,7 @@ class NodeHeartbeats {
   std::vector<HeartbeatGap> gaps_;
   RhythmWatch rhythm_;
   CrossingWatch crossings_;
+  PeriodsWatch periods_;
   NmtState state_{};
   NmtState before_{};
   unsigned states_ = 0;

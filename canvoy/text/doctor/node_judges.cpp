@@ -47,6 +47,10 @@ std::string twice_text(const Observed& bus, NodeId node) {
     text += fmt::format(
         " Its heartbeats come in two rhythms: each every {}, the one {} behind the other.",
         short_time(beats.two_rhythms()->period), short_time(beats.two_rhythms()->apart));
+  } else if (beats.two_periods()) {
+    text += fmt::format(" Its heartbeats are those of two: one every {}, and one every {}.",
+                        short_time(beats.two_periods()->shorter),
+                        short_time(beats.two_periods()->longer));
   } else if (beats.crossed()) {
     text += fmt::format(" Between heartbeats that are {} apart, its period, come others.",
                         short_time(period_of(bus, node)));
@@ -77,8 +81,9 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
     const auto& rhythms = beats.two_rhythms();
     const Tally& doubles = bus.sdos.of(node).doubles;
     const Time answered_first = doubles.count != 0 ? doubles.first : bus.begin;
-    const Time last = std::max({rhythms ? rhythms->last : Time{}, beats.turned_at(),
-                                beats.crossed().value_or(Time{}), doubles.last});
+    const auto& periods = beats.two_periods();
+    const Time last = std::max({rhythms ? rhythms->last : Time{}, periods ? periods->last : Time{},
+                                beats.turned_at(), beats.crossed().value_or(Time{}), doubles.last});
     findings.push_back({.kind = FindingKind::node_id_twice,
                         .node = node,
                         .count = 1,

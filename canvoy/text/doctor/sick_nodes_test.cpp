@@ -13,6 +13,17 @@ std::unique_ptr<Clinic> twin(Duration behind) {
   return clinic;
 }
 
+/// Two devices with the heartbeats of one node, each with its period (1017h), which nobody reads.
+std::unique_ptr<Clinic> twins(Duration one, Duration other) {
+  auto clinic = healthy();
+  for (const Duration period : {one, other}) {
+    clinic->every(period, period / 3, [at = clinic.get(), who = clinic->add()] {
+      at->bus().send(who, state_of(sick_node, 5));
+    });
+  }
+  return clinic;
+}
+
 /// Half a period later, and in another state; the period is unknown.
 std::unique_ptr<Clinic> twin_in_other_state() {
   auto clinic = healthy();
@@ -119,6 +130,12 @@ std::vector<SickBusRow> heartbeat_rows() {
   return {
       {"TwinAFifthBehind", node_id_twice, 2, 0, [] { return twin(100ms); }},
       {"TwinHalfAPeriodBehind", node_id_twice, 2, 0, [] { return twin(250ms); }},
+      {"TwinsAtFiveAndSevenTenths", node_id_twice, sick_node, 0,
+       [] { return twins(500ms, 700ms); }},
+      {"TwinsAtASecondAndATenthLess", node_id_twice, sick_node, 0, [] { return twins(900ms, 1s); }},
+      {"TwinsAtASecondAndTwo", node_id_twice, sick_node, 0, [] { return twins(1s, 2s); }},
+      {"TwinsAtATenthAndASecond", node_id_twice, sick_node, 0, [] { return twins(100ms, 1s); }},
+      {"TwinsAtTwoSecondsAndFive", node_id_twice, sick_node, 0, [] { return twins(5s, 2s); }},
       {"TwinInAnotherState", node_id_twice, sick_node, 0, twin_in_other_state},
       {"TwinAtOnceInAnotherState", node_id_twice, sick_node, 0, twin_at_once},
       {"TwinAnswers", node_id_twice, 1, 0, twin_answers},
