@@ -35,7 +35,7 @@ BELOW = ("CMakePresets.json", "cmake/*", "canvoy/*/**/*.hpp", *(f"canvoy/{librar
 SOURCES |= {
     f"{WORLDS}{world}": (
         *BELOW, *(f"canvoy/devices/{folder}/**/*.cpp" for folder in ("kit", *profiles)), f"canvoy/worlds/{world}/**/*",
-        "canvoy/worlds/car/*", "canvoy/devices/*.cpp")
+        "canvoy/worlds/*.cpp", "canvoy/worlds/car/*", "canvoy/devices/*.cpp")
     for world, profiles in DEVICES_OF.items()
 }  # fmt: skip
 

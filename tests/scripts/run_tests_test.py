@@ -191,6 +191,12 @@ class RunTests(unittest.TestCase):
             found = {path.parts[2] for path in included_by(ROOT / "canvoy/worlds" / world) if path.parts[:2] == ("canvoy", "devices") and len(path.parts) > 3}
             self.assertLessEqual(found, {"kit", *folders}, world)
 
+    def test_a_world_includes_no_other_libraries_than_those_that_its_tests_are_run_again_for(self):
+        for world in passed_programs.DEVICES_OF:
+            known = {tuple(pattern.split("/")[:2]) for pattern in run_tests.SOURCES[f"worlds_{world}"] if pattern.endswith(".cpp")}
+            found = {path.parts[:2] for path in included_by(ROOT / "canvoy/worlds" / world) if len(path.parts) > 2}
+            self.assertLessEqual(found, {*known, ("canvoy", "worlds")}, world)
+
 
 if __name__ == "__main__":
     unittest.main()
