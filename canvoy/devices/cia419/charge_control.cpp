@@ -57,10 +57,11 @@ StopReason ChargeControl::temperature_reason(double celsius) {
   const double way_back = limits_.temperature_hysteresis_kelvin;
   const bool was_hot = temperature_stop_ == StopReason::too_hot;
   const bool was_cold = temperature_stop_ == StopReason::too_cold;
-  if (celsius > limits_.temperature_max_celsius - (was_hot ? way_back : 0))
-    return StopReason::too_hot;
-  if (celsius < limits_.temperature_min_celsius + (was_cold ? way_back : 0))
-    return StopReason::too_cold;
+  // A reading is rounded: cells that are said to be at a limit may be beyond it.
+  const double highest = limits_.temperature_max_celsius;
+  const double lowest = limits_.temperature_min_celsius;
+  if (was_hot ? celsius > highest - way_back : celsius >= highest) return StopReason::too_hot;
+  if (was_cold ? celsius < lowest + way_back : celsius <= lowest) return StopReason::too_cold;
   return StopReason::none;
 }
 

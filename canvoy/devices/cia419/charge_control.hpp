@@ -19,8 +19,8 @@ struct ChargeLimits {
   /// voltage, some of them are dead, or it is another battery than reported. Half a volt is less
   /// than a chargeable cell of any chemistry has; 0: not checked.
   double cell_voltage_min_volt = 0.5;
-  double temperature_min_celsius = 0;        ///< below: stop
-  double temperature_max_celsius = 50;       ///< above: stop
+  double temperature_min_celsius = 0;        ///< there and below: stop
+  double temperature_max_celsius = 50;       ///< there and above: stop
   double temperature_hysteresis_kelvin = 2;  ///< decrease that ends a stop for temperature
   /// From this distance below `temperature_max_celsius`, the current decreases linearly to 0 at
   /// that temperature; 0: it does not.

@@ -67,7 +67,9 @@ TEST_F(ChargeControlTest, EachMissingConditionAloneStopsTheCharge) {
       {[](ChargeInputs& in) { in.temperature_celsius.reset(); }, invalid_temperature},
       {[](ChargeInputs& in) { in.voltage_volt.reset(); }, invalid_voltage},
       {[](ChargeInputs& in) { in.temperature_celsius = 50.125; }, too_hot},
+      {[](ChargeInputs& in) { in.temperature_celsius = 50; }, too_hot},  // 50.06 is read so
       {[](ChargeInputs& in) { in.temperature_celsius = -0.125; }, too_cold},
+      {[](ChargeInputs& in) { in.temperature_celsius = 0; }, too_cold},
       {[](ChargeInputs& in) { in.voltage_volt = 65.1; }, voltage_too_high},
       {[](ChargeInputs& in) { in.voltage_volt = 10; }, voltage_too_low},  // of 24 cells: 12 V
       {[](ChargeInputs& in) { in.requested_ampere.reset(); }, no_request},
