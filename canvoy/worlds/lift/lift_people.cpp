@@ -1,5 +1,6 @@
 #include "canvoy/worlds/lift/lift_people.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -195,7 +196,22 @@ bool LiftPeople::visit(FloorNumber from, FloorNumber to) {
   return true;
 }
 
+/// A real panel has its buttons as well.
+bool LiftPeople::has_button(const CallKey& call) const {
+  return std::ranges::any_of(description_->nodes, [&](const NodeDescription& node) {
+    const bool is_there = std::ranges::find(node.floors, call.floor) != node.floors.end();
+    if (call.lift == 0) return node.kind == DeviceKind::landing_panel && is_there;
+    return node.kind == DeviceKind::car_panel && node.lift == call.lift &&
+           (node.floors.empty() || is_there);
+  });
+}
+
 void LiftPeople::press(const CallKey& call, bool pressed, FloorNumber to) {
+  // Who finds no button wants a lift as well, and no lamp ever answers.
+  if (!has_button(call)) {
+    if (pressed) hooks_.pressed(call);
+    return;
+  }
   if (call.lift != 0) {
     if (devices_->shaft(call.lift).press(call, pressed) && pressed) hooks_.pressed(call);
     return;

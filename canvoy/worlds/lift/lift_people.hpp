@@ -77,7 +77,7 @@ class LiftTechnicians {
 
 /// Functions that receive reports. None may be empty.
 struct LiftPeopleHooks {
-  /// A button of an existing call, with power, is pressed.
+  /// A button of an existing call, with power, is pressed; or there is none for the call.
   std::function<void(const CallKey&)> pressed{};
   /// A passenger has reached the destination.
   std::function<void(LiftNumber)> carried{};
@@ -137,6 +137,7 @@ class LiftPeople {
  private:
   PassengerHands hands();
   void add_brigades();
+  bool has_button(const CallKey& call) const;
   void press(const CallKey& call, bool pressed, FloorNumber to = no_floor);
   LiftNumber next_panel(const CallKey& call, FloorNumber to);
   void run(Time now);

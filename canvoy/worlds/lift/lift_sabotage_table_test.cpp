@@ -122,6 +122,16 @@ NodeValue no_pdo(std::uint16_t index, std::uint32_t can_id) {
           1,
           {static_cast<std::uint8_t>(can_id), static_cast<std::uint8_t>(can_id >> 8U), 0, 0x80}};
 }
+/// Nobody sends a SYNC: a PDO of transmission type 240 is never sent.
+NodeValue on_sync(std::uint16_t index) {
+  return {index, 2, {240}};
+}
+/// A PDO with an inhibit time of 6 s, which is written while it is off (CiA 301, 7.5.2.37).
+std::vector<NodeValue> inhibited(std::uint16_t index, std::uint32_t can_id) {
+  NodeValue back_on = no_pdo(index, can_id);
+  back_on.bytes.back() = 0;
+  return {no_pdo(index, can_id), {index, 3, {0x60, 0xEA}}, back_on};
+}
 /// Presses there are not reported.
 void mute(NodeDescription& panel) {
   panel.values.push_back(no_pdo(0x1881, virtual_input + panel.id));
@@ -193,6 +203,16 @@ const Sabotage of_files[] = {
      [](Description& it) { node(it, DeviceKind::door).values = {no_pdo(0x190A, 0x201)}; }},
     {"ADoorThatHearsNoCommands", InvariantKind::no_call_lost, 0,
      [](Description& it) { node(it, DeviceKind::door).values = {no_pdo(0x1508, 0x200)}; }},
+    {"APositionThatIsToldEach6Seconds", InvariantKind::lift_serves, 1,
+     [](Description& it) {
+       node(it, DeviceKind::position).values = inhibited(0x1906, car_position);
+     }},
+    {"ADoorWhosePositionAwaitsASync", InvariantKind::lift_serves, 1,
+     [](Description& it) { node(it, DeviceKind::door).values = {on_sync(0x190A)}; }},
+    {"ADriveWhoseVelocityAwaitsASync", InvariantKind::lift_serves, 1,
+     [](Description& it) { node(it, DeviceKind::drive).values = {on_sync(0x1907)}; }},
+    {"APositionThatAwaitsASync", InvariantKind::lift_serves, 1,
+     [](Description& it) { node(it, DeviceKind::position).values = {on_sync(0x1906)}; }},
     {"APositionThatIsNotTold", InvariantKind::lift_serves, 1,
      [](Description& it) { node(it, DeviceKind::position).values = {no_pdo(0x1906, 0x18C)}; }},
     {"ADriveThatIsLeftOut", InvariantKind::lift_serves, 1,
@@ -210,6 +230,24 @@ const Sabotage of_files[] = {
      }},
     {"ALandingThatNobodyHears", InvariantKind::call_acknowledged, 0,
      [](Description& it) { mute(landing_panel(it, 3)); }},
+    {"ALandingWithoutAPanel", InvariantKind::call_acknowledged, 0,
+     [](Description& it) {
+       std::erase_if(it.nodes, [](const NodeDescription& each) {
+         return each.kind == DeviceKind::landing_panel &&
+                each.floors == std::vector<FloorNumber>{3};
+       });
+     }},
+    {"AnEntranceWhosePanelHangsElsewhere", InvariantKind::call_acknowledged, 0,
+     [](Description& it) {
+       for (NodeDescription& each : it.nodes) {
+         if (each.kind != DeviceKind::landing_panel) continue;
+         std::ranges::replace(each.floors, FloorNumber{4}, FloorNumber{5});
+       }
+     }},
+    {"ACarWithoutTheButtonOfAFloor", InvariantKind::call_acknowledged, 0,
+     [](Description& it) {
+       node(it, DeviceKind::car_panel).floors = {1, 2, 3, 4, 5};
+     }},
     {"ACarThatNobodyHears", InvariantKind::call_acknowledged, 0,
      [](Description& it) { mute(node(it, DeviceKind::car_panel)); }},
     {"ACarInWhichNobodyCanSayWhereTo", InvariantKind::nobody_trapped, 1,

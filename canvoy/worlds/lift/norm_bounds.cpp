@@ -53,6 +53,11 @@ std::string beyond_norm(const LiftDesign& design) {
                    number_text(1 + most_kg / car.rated_load_kg) + " of " +
                        number_text(car.rated_load_kg) + " kg");
   }
+  const double persons_most = std::floor(car.rated_load_kg / person_kg);
+  if (car.rated_persons > std::max(persons_most, 1.0)) {
+    return refusal("rated_persons", car.rated_persons, "5.4.2.3.1",
+                   number_text(persons_most) + " for " + number_text(car.rated_load_kg) + " kg");
+  }
   const DoorDesign& door = design.door;
   const std::string error = check_door_time("door_open_s", door.open_time_s, door.width_m);
   if (!error.empty()) return error;

@@ -20,6 +20,8 @@ inline constexpr double door_energy_most_j = 10;
 /// at least 75 kg (EN 81-20, 5.12.1.2).
 inline constexpr double overload_most_share = 0.1;
 inline constexpr double overload_most_kg = 75;  ///< least bound of the overload, for small cars
+/// Mass of a person, by which the rated load gives the number of persons (EN 81-20, 5.4.2.3.1).
+inline constexpr double person_kg = 75;
 
 /// Energy of two leaves that part in the middle, each at half the speed at which the opening gets
 /// wider.

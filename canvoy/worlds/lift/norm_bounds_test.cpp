@@ -26,9 +26,16 @@ TEST(LiftNorm, ADoorHas10JoulesAtMost) {
 
 TEST(LiftNorm, ACarStaysWithATenthTooMuchOr75Kilograms) {
   EXPECT_EQ(beyond_norm({.car = {.rated_load_kg = 1000, .overload_share = 1.1}}), "");
-  EXPECT_EQ(beyond_norm({.car = {.rated_load_kg = 300, .overload_share = 1.25}}), "");
+  EXPECT_EQ(
+      beyond_norm({.car = {.rated_load_kg = 300, .rated_persons = 4, .overload_share = 1.25}}), "");
   EXPECT_EQ(beyond_norm({.car = {.rated_load_kg = 1000, .overload_share = 2}}),
             "overload_share = 2: EN 81-20, 5.12.1.2, allows 1.1 of 1000 kg");
+}
+
+TEST(LiftNorm, APersonHas75KilogramsOfTheRatedLoad) {
+  EXPECT_EQ(beyond_norm({.car = {.rated_load_kg = 630, .rated_persons = 8}}), "");
+  EXPECT_EQ(beyond_norm({.car = {.rated_load_kg = 630, .rated_persons = 9}}),
+            "rated_persons = 9: EN 81-20, 5.4.2.3.1, allows 8 for 630 kg");
 }
 
 TEST(LiftNorm, AFileBeyondItIsRefused) {
