@@ -61,7 +61,7 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"fire_doors", "doors that opened at other floors in a recall", "", "EN 81-73"},
     {"fire_buttons", "doors that opened by themselves under the fire brigade", "", "EN 81-72"},
     {"fire_calls", "calls taken in a fire service", "", "EN 81-73"},
-    {"chain_stops", "moving cars that the safety chain stopped without a fault", "", "canvoy"},
+    {"chain_stops", "stops by the safety chain, or between floors, without a fault", "", "canvoy"},
     {"levelled", "stood with an open door beside its floor by", "mm", "EN 81-20, 5.12.1.1.4"},
     {"safe_stand", "from the fault to a car that stands", "s", "canvoy"},
     {"emergency_told", "from the fault to its emergency on the bus", "s", "canvoy"},

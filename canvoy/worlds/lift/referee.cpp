@@ -108,7 +108,25 @@ void Referee::judge_chain(Lift& lift, const LiftFacts& facts, Duration passed) {
   const bool is_on = facts.is_cut && was_cut && (moves || !facts.hindered);
   lift.cut_for = is_on ? lift.cut_for + passed : Duration{0};
   if (facts.is_cut && !was_cut && moves && !facts.hindered) ++lift.chain_stops;
+  judge_stop_on_the_way(lift, facts, passed);
   lift.judged[InvariantKind::chain_stops].judge(lift.chain_stops);
+}
+
+/// A controller may stop a car at any place, but then it declares why. People who drive the car, by
+/// a key, in an inspection or by hand, stop it where they like.
+void Referee::judge_stop_on_the_way(Lift& lift, const LiftFacts& facts, Duration passed) {
+  const bool is_driven = facts.is_inspected || facts.is_cranked || facts.fire != FireMode::none;
+  const bool stands = std::abs(facts.speed_m_s) <= limits_.moving_m_s;
+  const bool is_between = distance_to_floor_m(facts.position_m) > limits_.between_floors_m;
+  if (!stands || !is_between || is_driven || facts.hindered) {
+    lift.is_excused_between = stands && is_between && lift.between_for == Duration{0};
+    lift.between_for = Duration{0};
+    return;
+  }
+  if (lift.is_excused_between) return;
+  const bool had_stopped = lift.between_for >= limits_.stops_between_least;
+  lift.between_for += passed;
+  if (!had_stopped && lift.between_for >= limits_.stops_between_least) ++lift.chain_stops;
 }
 
 /// People step in and out: the sinking of the car under them is corrected while they do.

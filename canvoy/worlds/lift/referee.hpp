@@ -124,7 +124,9 @@ struct RefereeLimits {
   /// Time from the button of the fire brigade until its car is at their floor, beside the flight:
   /// doors close slowly in smoke.
   Duration brigade_waits_most = 80s;
-  Duration display_most = 3s;  ///< for displays to name the floor where the car stands
+  double between_floors_m = 0.35;     ///< outside of any door zone (EN 81-20, 5.3.8.1)
+  Duration stops_between_least = 2s;  ///< a car that turns stands for less
+  Duration display_most = 3s;         ///< for displays to name the floor where the car stands
   /// Time from a key to its panel, the controller and its latest command: then the rules of a fire
   /// service hold.
   Duration heeds_key_within = 200ms;
@@ -187,6 +189,8 @@ class Referee {
     bool was_unheld = false;  ///< and is where that has brought it
     Duration off_for{0};      ///< its floor, with an open door
     unsigned chain_stops = 0;
+    Duration between_for{0};          ///< it has stood between floors, with no excuse
+    bool is_excused_between = false;  ///< until it moves: it stood there while it was hindered
     Time fire_since = never;          ///< beginning of the present fire mode
     unsigned doors_freed_before = 0;  ///< unlocked since before that; bit 0 is door 1
     Time recall_since = never;        ///< plus the time for the way to the fire floor
@@ -217,6 +221,7 @@ class Referee {
   void judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
   void judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
   void judge_chain(Lift& lift, const LiftFacts& facts, Duration passed);
+  void judge_stop_on_the_way(Lift& lift, const LiftFacts& facts, Duration passed);
   void judge_level(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
   void note_open_door(Time now, LiftNumber number, const LiftDesign& design,
                       const LiftFacts& facts);
