@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "canvoy/tools/cli/bit_rate_text.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 
@@ -404,8 +405,26 @@ void Verb::when_parsed(std::function<void()> then) {
 
 void Verb::runs(Action action) {
   app_->callback([this, action = std::move(action)] {
-    if (app_->get_subcommands().empty()) *chosen_ = {action, when_parsed_};
+    if (app_->get_subcommands().empty()) {
+      *chosen_ = {action, when_parsed_};
+    } else {
+      refuse_places_beside_verb();
+    }
   });
+}
+
+/// A word of this verb that stands beside one of its verbs would be taken and ignored.
+void Verb::refuse_places_beside_verb() const {
+  const auto given = app_->get_options(
+      [](const CLI::Option* option) { return option->get_positional() && option->count() != 0; });
+  if (given.empty()) return;
+  const std::string word = given.front()->results().front();
+  const std::string verb = app_->get_subcommands().front()->get_name();
+  chosen_->action = [word, verb, name = name()]() -> int {
+    throw UsageError(fmt::format("'{}' and '{}' exclude each other: canvoy {} {}, or canvoy {} {}",
+                                 verb, word, name, word, name, verb));
+  };
+  chosen_->when_parsed = [] {};
 }
 
 std::string Verb::name() const {

@@ -172,6 +172,8 @@ class Verb {
   /// `chosen` is that of the command line, shared by all of its verbs.
   Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Chosen> chosen);
 
+  void refuse_places_beside_verb() const;
+
   std::shared_ptr<CLI::App> app_;
   const Verb* parent_;
   std::shared_ptr<Chosen> chosen_;
