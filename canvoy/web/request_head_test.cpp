@@ -23,7 +23,7 @@ TEST(RequestHead, HasAtMostOneOfEachFieldThatDecides) {
   EXPECT_NE(fault_of({.hosts = 1, .socket_keys = 2}), "");
 }
 
-// RFC 9112, 6.3: without chunked at the end nobody knows where the body ends.
+// RFC 9112, 6.3: without chunked at the end the body has no certain end.
 TEST(RequestHead, HasNoCodingButChunked) {
   EXPECT_EQ(fault_of({.hosts = 1, .coding = "chunked"}), "");
   EXPECT_EQ(fault_of({.hosts = 1, .coding = "Chunked"}), "");

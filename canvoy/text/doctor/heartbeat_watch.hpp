@@ -54,8 +54,8 @@ class CrossingWatch {
 
 /// The periods of two senders, the shorter one first.
 struct TwoPeriods {
-  Duration shorter{};
-  Duration longer{};
+  Duration shorter{};  ///< period of one sender
+  Duration longer{};   ///< period of the other
   Time last{};  ///< time of the last confirmation
 };
 

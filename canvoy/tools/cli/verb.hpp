@@ -9,7 +9,7 @@
 //         {"--json", options->json, "one JSON object a line"},
 //     });
 //     command.add_examples("  canvoy decode bus.log");
-//     command.runs([options] { return decode(*options); });
+//     command.runs([=] { return decode(*options); });
 //     if (line.parse(words).kind == CommandLine::Outcome::Kind::understood) return line.run();
 //
 // CLI11 is used in one source file only, so that including this header is cheap to compile.

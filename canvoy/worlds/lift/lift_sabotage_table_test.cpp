@@ -122,7 +122,7 @@ NodeValue no_pdo(std::uint16_t index, std::uint32_t can_id) {
           1,
           {static_cast<std::uint8_t>(can_id), static_cast<std::uint8_t>(can_id >> 8U), 0, 0x80}};
 }
-/// Nobody sends a SYNC: a PDO of transmission type 240 is never sent.
+/// No node sends a SYNC: a PDO of transmission type 240 is never sent.
 NodeValue on_sync(std::uint16_t index) {
   return {index, 2, {240}};
 }
