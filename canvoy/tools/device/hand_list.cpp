@@ -142,12 +142,11 @@ std::string hand_page() {
   std::string page =
       "# Hands on devices\n\nWhat `canvoy device` presses (`--press NAME@TIME`), sets "
       "(`--set NAME=VALUE@TIME`) and takes from standard input (`--stdin`): `canvoy device printer "
-      "--hands` says the same of one. A hand without `=` is pressed; a key is pressed and released "
-      "after 300 ms, or set. `input1 to input64` are 64 hands. `no` and `off`, `yes` and `on` "
-      "stand "
-      "for the two states of which the first says no, `0` and `1` for those of a button. What "
-      "follows from something else has no hand, and the page says from what. Devices that are not "
-      "here have none: all that they do follows from the bus.\n";
+      "--hands` lists those of one device. A hand without `=` is pressed; a key is pressed and "
+      "released after 300 ms, or set. `input1 to input64` are 64 hands. `no` and `off`, `yes` and "
+      "`on` also stand for the two states of a hand, `0` and `1` for those of a button. A value "
+      "that follows from another one has no hand, and the page names its source. Devices without "
+      "a section here have no hands: all that they do follows from the bus.\n";
   for (const Handed& device : all_handed()) add_device(page, device);
   return page;
 }
