@@ -71,6 +71,12 @@ std::unique_ptr<Clinic> busy(std::uint32_t bit_rate, std::uint16_t id, Duration 
   return clinic;
 }
 
+std::unique_ptr<Clinic> lost(Duration at, const char* why) {
+  auto clinic = healthy();
+  clinic->lose(at, why);
+  return clinic;
+}
+
 }  // namespace
 
 std::vector<SickBusRow> wire_rows() {
@@ -79,6 +85,11 @@ std::vector<SickBusRow> wire_rows() {
       {"NobodyIsThere", no_traffic, 0, 0, [] { return std::make_unique<Clinic>(); }},
       {"NoNodeHasPower", no_traffic, 0, 0, dead},
       {"CableIsCutBeforeTheDoctor", no_traffic, 0, 0, cut_behind_all},
+      {"TheAdapterIsPulledOut", lost_bus, 0, 0, [] { return lost(25s, "can0 has gone"); }},
+      {"TheInterfaceIsTakenDownAtTheEnd", lost_bus, 0, 0,
+       [] { return lost(59s, "can0: the interface is down"); }},
+      {"TheServerEndsAtTheStart", lost_bus, 0, 0,
+       [] { return lost(3s, "lab:28700: the connection has ended"); }},
       {"ListensAtTwiceTheRate", wrong_bit_rate, 0, 0, [] { return healthy({}, 250'000); }},
       {"ListensAtAFifthOfTheRate", wrong_bit_rate, 0, 0, [] { return healthy({}, 25'000); }},
       {"ListensTooFastToAFastBus", wrong_bit_rate, 0, 0,

@@ -97,6 +97,14 @@ class Clinic {
     });
   }
 
+  /// Takes the doctor's interface away from the bus.
+  void lose(Duration at_time, const char* why) {
+    at(at_time, [this, at_time, why] {
+      is_away_ = true;
+      doctor_.lose(Time(at_time), why);
+    });
+  }
+
   /// Listens from the start for this time.
   text::Findings examine(Duration time) {
     const ControllerId interface =
@@ -121,7 +129,8 @@ class Clinic {
 
  private:
   static void hear(void* context, Time now, const Frame& frame) {
-    static_cast<Clinic*>(context)->doctor_.hear(now, frame);
+    auto& self = *static_cast<Clinic*>(context);
+    if (!self.is_away_) self.doctor_.hear(now, frame);
   }
   static void note_error(void* context, Time /*now*/, const BusError& error) {
     static_cast<Clinic*>(context)->kind_ = error.kind;
@@ -129,6 +138,7 @@ class Clinic {
   /// Takes an error frame as SocketCAN reports it.
   static void hear_error(void* context, Time now) {
     auto& self = *static_cast<Clinic*>(context);
+    if (self.is_away_) return;
     Frame frame;
     frame.flags = FrameFlags::error;
     frame.length = Frame::length_max;
@@ -149,6 +159,7 @@ class Clinic {
   std::multimap<Time, std::function<void()>> plan_;
   BusErrorKind kind_ = BusErrorKind::stuff;
   std::uint8_t count_ = 0;
+  bool is_away_ = false;
 };
 
 }  // namespace canvoy
