@@ -83,8 +83,8 @@ TEST_F(ChargeControlTest, EachMissingConditionAloneStopsTheCharge) {
   }
 }
 
-TEST_F(ChargeControlTest, ALimitItselfIsAllowed) {
-  for (const double celsius : {0.0, 50.0}) {
+TEST_F(ChargeControlTest, ALimitItselfIsAllowedIfNotOfTheRoundedTemperature) {
+  for (const double celsius : {0.125, 49.875}) {
     inputs.temperature_celsius = celsius;
     expect_current(inputs, 40);
   }

@@ -199,10 +199,9 @@ bool LiftPeople::visit(FloorNumber from, FloorNumber to) {
 /// A real panel has its buttons as well.
 bool LiftPeople::has_button(const CallKey& call) const {
   return std::ranges::any_of(description_->nodes, [&](const NodeDescription& node) {
-    const bool is_there = std::ranges::find(node.floors, call.floor) != node.floors.end();
-    if (call.lift == 0) return node.kind == DeviceKind::landing_panel && is_there;
-    return node.kind == DeviceKind::car_panel && node.lift == call.lift &&
-           (node.floors.empty() || is_there);
+    if (call.lift != 0) return node.kind == DeviceKind::car_panel && node.lift == call.lift;
+    return node.kind == DeviceKind::landing_panel &&
+           std::ranges::find(node.floors, call.floor) != node.floors.end();
   });
 }
 

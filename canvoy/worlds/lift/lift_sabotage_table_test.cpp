@@ -244,10 +244,6 @@ const Sabotage of_files[] = {
          std::ranges::replace(each.floors, FloorNumber{4}, FloorNumber{5});
        }
      }},
-    {"ACarWithoutTheButtonOfAFloor", InvariantKind::call_acknowledged, 0,
-     [](Description& it) {
-       node(it, DeviceKind::car_panel).floors = {1, 2, 3, 4, 5};
-     }},
     {"ACarThatNobodyHears", InvariantKind::call_acknowledged, 0,
      [](Description& it) { mute(node(it, DeviceKind::car_panel)); }},
     {"ACarInWhichNobodyCanSayWhereTo", InvariantKind::nobody_trapped, 1,
