@@ -429,10 +429,11 @@ void LiftController::follow_calls() {
 }
 
 /// When the drive reports its arrival, or has given up: at its target, the car has arrived in both
-/// cases.
+/// cases; where it departed, in neither, whatever its drive reports.
 void LiftController::arrive() {
   const std::uint8_t floor = floor_here();
-  if (floor == 0 || (!motion_.arrived && floor != target_)) {
+  const bool has_arrived = motion_.arrived && floor != departed_;
+  if (floor == 0 || (!has_arrived && floor != target_)) {
     faults_.latch(LiftFault::position);
     again_ = true;
     return;

@@ -556,6 +556,23 @@ TEST_F(LiftServiceTest, ACarThatStandsAtItsTargetHasArrivedWhateverItsDriveSays)
   EXPECT_EQ(lift.fault(), LiftFault::none);
 }
 
+TEST_F(LiftServiceTest, ADriveThatReportsItsTargetWithoutATripIsSentAgainAfterAWhile) {
+  bench.press("05 07 01 00 11 01");
+  for (int i = 0; i < 3; ++i) {
+    bench.run_for(100ms);
+    ASSERT_EQ(lift.phase(), driving) << i;
+    bench.car.stop();
+    bench.car.motion.position_micrometre = 0;
+    bench.car.motion.arrived = true;
+    bench.step();
+    EXPECT_EQ(lift.fault(), LiftFault::position) << i;
+    bench.run_for(4s);
+    EXPECT_NE(lift.phase(), driving) << i;
+    ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving; }, 20s)) << i;
+  }
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
 TEST_F(LiftServiceTest, ACarThatDoesNotLeaveItsFloorOpensThere) {
   bench.press("05 07 01 00 11 01");
   bench.run_for(100ms);
