@@ -118,6 +118,21 @@ FORTY = [
     Row("canvoy hilfe decode", "Examples:"),
 ]
 
+# Without a bus. 2 were right when they were first tried.
+ALONE = [
+    Row("canvoy 18A#AC0001", "TPDO1"),
+    Row("canvoy devices", "battery"),
+    Row("canvoy list devices", "battery"),
+    Row("canvoy profiles", "447-3"),
+    Row("canvoy info 447-3", "taxi"),
+    Row("canvoy show 419", "battery_status"),
+    Row("canvoy networks", "excavator"),
+    Row("canvoy demo --for 10s", "PASS"),
+    Row("canvoy describe 6040", "Controlword"),
+    Row("canvoy what is 6040", "Controlword"),
+    Row("canvoy run lift taxi", told="canvoy run taxi, or canvoy run lift"),
+]
+
 
 class UnseenLines(OnABus):
     @classmethod
@@ -135,6 +150,9 @@ class UnseenLines(OnABus):
     def test_most_are_right_and_the_others_lead_on(self):
         self.assertEqual(len(FIRST), 57)
         self.assertGreaterEqual(self.try_all(FIRST), 46)
+
+    def test_those_without_a_bus_are_right(self):
+        self.assertEqual(self.try_all(ALONE), 10)
 
     def test_most_of_forty_others_are_right(self):
         self.assertEqual(len(FORTY), 40)

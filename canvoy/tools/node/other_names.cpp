@@ -7,7 +7,9 @@
 #include <array>
 #include <optional>
 
+#include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/trace/trace_format.hpp"
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/argument/bus_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
@@ -86,9 +88,10 @@ bool is_world(std::string_view word) {
          std::ranges::find(worlds(), word, &WorldEntry::name) != worlds().end();
 }
 
-/// What is done with a thing that stands alone, `night.log`, `pump.eds`, `yard.toml`, `lift`;
-/// empty: it is not plain.
+/// What is done with a thing that stands alone, `night.log`, `pump.eds`, `yard.toml`, `lift`,
+/// `18A#AC0001`; empty: it is not plain.
 Words verb_of_thing(std::string_view word) {
+  if (parse_frame(word)) return {"decode"};
   if (formats::names_trace(word)) return {"decode"};
   if (is_sheet_name(word)) return {"eds", "check"};
   return is_world(word) ? Words{"run"} : Words{};
@@ -122,6 +125,21 @@ std::size_t take_front(const Words& words, std::size_t at, Front& front) {
 
 bool has_node(const Words& words) {
   return count_places(words) >= 2 && names_bus(words[1]) && find_node_id(words[2]).has_value();
+}
+
+/// `devices`, `list profiles`, `networks`: what there is, beside any bus.
+void use_verb_of_list(Words& words) {
+  const bool has_list = words.size() > 1 && is_one_of(words[0], {"list", "ls", "show"});
+  const std::string& things = words[has_list ? 1 : 0];
+  Words meant;
+  if (is_one_of(things, {"devices", "kinds"})) meant = {"device", "--list"};
+  if (things == "profiles") meant = {"profile"};
+  if (is_one_of(things, {"worlds", "networks", "simulations"})) meant = {"run", "--help"};
+  if (things == "demo") meant = {"run", "charger"};
+  if (meant.empty()) return;
+  const Words rest = behind(words, has_list ? 2 : 1);
+  meant.insert(meant.end(), rest.begin(), rest.end());
+  words = std::move(meant);
 }
 
 /// `sdo read`, `node scan`, `profile list`.
@@ -285,6 +303,8 @@ bool use_verb_of_file(Words& words) {
     words = line({"decode", words[2], "--csv"}, behind(words, 3));
   } else if (is_one_of(name, {"info", "show"}) && formats::names_trace(first)) {
     words.front() = "stats";
+  } else if (is_one_of(name, {"info", "show", "describe"}) && find_profile(first) != nullptr) {
+    words.front() = "profile";
   } else if (is_one_of(name, {"errors", "faults", "alarms", "emcy"}) &&
              formats::names_trace(first)) {
     words = line({"decode", first, "--filter", "EMCY"}, behind(words, 2));
@@ -433,6 +453,7 @@ void use_own_names(Words& words) {
   use_python_can_options(words);
   use_program(words);
   part_joined_name(words);
+  use_verb_of_list(words);
   leave_out_nouns(words);
   const bool is_done = use_verb_of_node(words) || use_verb_of_bus(words) || use_verb_of_file(words);
   if (!is_done) {

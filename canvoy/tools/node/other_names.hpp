@@ -32,7 +32,7 @@ inline constexpr auto verb_words = std::to_array<VerbWords>({
     {"doctor", "analyze analyse diagnose"},
     {"check", "", "test"},
     {"load"},
-    {"explain", "lookup error abort errno what whatis"},
+    {"explain", "lookup error abort errno what whatis describe define"},
     {"search", "find suchen"},
     {"program", "flash"},
     {"boot"},

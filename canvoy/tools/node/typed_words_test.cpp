@@ -155,6 +155,21 @@ TEST_F(TypedWords, APdoAndItsNumberMayBeParted) {
             (Words{"pdo", "can0", "10", "tpdo1", "temperature=20"}));
 }
 
+TEST_F(TypedWords, WhatThereIsBesideABusIsListed) {
+  EXPECT_EQ(typed_words({"devices"}), (Words{"device", "--list"}));
+  EXPECT_EQ(typed_words({"list", "devices", "--json"}), (Words{"device", "--list", "--json"}));
+  EXPECT_EQ(typed_words({"profiles"}), Words{"profile"});
+  EXPECT_EQ(typed_words({"info", "447-3"}), (Words{"profile", "447-3"}));
+  EXPECT_EQ(typed_words({"networks"}), (Words{"run", "--help"}));
+  EXPECT_EQ(typed_words({"demo"}), (Words{"run", "charger"}));
+}
+
+TEST_F(TypedWords, AFrameAloneIsDecoded) {
+  EXPECT_EQ(typed_words({"18A#AC0001"}), (Words{"decode", "18A#AC0001"}));
+  EXPECT_EQ(typed_words({"18A#R4", "--node", "10=418"}),
+            (Words{"decode", "18A#R4", "--node", "10=418"}));
+}
+
 TEST_F(TypedWords, ANodeInFrontOfAFilterIsPartOfIt) {
   EXPECT_EQ(typed_words({"wait", "can0", "10", "heartbeat"}),
             (Words{"wait", "can0", "node=10", "and", "heartbeat"}));
