@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -18,6 +19,7 @@
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/load/load.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/front_options.hpp"
 #include "canvoy/tools/node/other_names.hpp"
 #include "canvoy/tools/node/typed_options.hpp"
 #include "canvoy/tools/node/typed_words.hpp"
@@ -88,9 +90,28 @@ void add_verbs(Verb& app, Sessions& sessions, std::string_view first_word) {
   add_help_verbs(app);
 }
 
+/// A line with what all verbs have, and the called verb.
+std::unique_ptr<CommandLine> line_of(std::string_view first_word, Sessions& sessions) {
+  auto line = std::make_unique<CommandLine>(
+      "Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
+  line->set_version(version_option, fmt::format("canvoy {}", version));
+  line->require_verb();
+  line->take_options_anywhere();
+  line->add_taken("--colour,--color", use_colour,
+                  "everywhere: auto (on a terminal, unless NO_COLOR is set), always or never");
+  line->add_taken(
+      "--network", use_network_file,
+      "everywhere: a file of the network, whose names of nodes are understood (default: "
+      "$CANVOY_NETWORK)");
+  add_verbs(*line, sessions, first_word);
+  return line;
+}
+
 /// For verbs that send requests to nodes, `can0/2:7` is the bus and the node.
-std::vector<std::string> words_of(int count, char** arguments) {
-  std::vector<std::string> words = typed_words({arguments + 1, arguments + count});
+std::vector<std::string> words_of(int count, char** arguments, Sessions& sessions) {
+  std::vector<std::string> words = typed_words(with_options_behind_verb(
+      {arguments + 1, arguments + count},
+      [&sessions](std::string_view verb) { return line_of(verb, sessions); }));
   if (words.empty() || !is_ask_verb(words.front())) return words;
   std::vector<std::string> behind_verb(words.begin() + 1, words.end());
   split_remote_bus(behind_verb);
@@ -99,23 +120,15 @@ std::vector<std::string> words_of(int count, char** arguments) {
 }
 
 int run(int count, char** arguments) {
-  CommandLine line("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
-  line.set_version(version_option, fmt::format("canvoy {}", version));
-  line.require_verb();
-  line.take_options_anywhere();
-  line.add_taken("--colour,--color", use_colour,
-                 "everywhere: auto (on a terminal, unless NO_COLOR is set), always or never");
-  line.add_taken("--network", use_network_file,
-                 "everywhere: a file of the network, whose names of nodes are understood (default: "
-                 "$CANVOY_NETWORK)");
   Sessions sessions;
   try {
     using Kind = CommandLine::Outcome::Kind;
-    const std::vector<std::string> words = words_of(count, arguments);
-    add_verbs(line, sessions, words.empty() ? std::string_view{} : std::string_view(words.front()));
+    const std::vector<std::string> words = words_of(count, arguments, sessions);
+    const std::unique_ptr<CommandLine> line =
+        line_of(words.empty() ? std::string_view{} : std::string_view(words.front()), sessions);
     const CommandLine::Outcome outcome =
-        line.parse(with_known_options(words, line), terminal_width(STDOUT_FILENO));
-    if (outcome.kind == Kind::understood) return finish_output(line.run());
+        line->parse(with_known_options(words, *line), terminal_width(STDOUT_FILENO));
+    if (outcome.kind == Kind::understood) return finish_output(line->run());
     if (outcome.kind == Kind::answered) {
       fmt::print("{}", outcome.text);
       return finish_output(exit_done);

@@ -43,6 +43,17 @@ DefaultValue=0
 """
 
 
+# What a profile does not describe: UNSIGNED16 (CiA 306: 0x0006).
+OWN_OBJECT = """\
+[2000]
+ParameterName=Speed
+ObjectType=0x7
+DataType=0x0006
+AccessType=rw
+DefaultValue=1500
+"""
+
+
 def wait_for(node):
     for _ in range(100):
         if run("read", BUS, node, "1000").returncode == 0:
@@ -82,7 +93,9 @@ class EdsRead(CommandTest):
 
     def sheet(self, node, name, *arguments):
         said = self.assert_done(run("eds", "read", BUS, node, "--out", self.path(name), *arguments))
-        self.assertRegex(said, r"\Anode \d+ \(\w+h\), by [^\n]+: \d+ entries read, written to [^\n]+\n\Z")
+        self.assertRegex(said, r"\Anode \d+ \(\w+h\), by [^\n]+: \d+ entries read, written to [^\n]+\n([^\n]+\n)?\Z")
+        # A profile does not describe what the manufacturer has added; a sheet of the device does.
+        self.assertEqual(f"is left out: canvoy clone {BUS} {node} reads 2000h to 9FFFh whole" in said, "by CiA" in said, said)
         sheet = configparser.ConfigParser(interpolation=None)
         sheet.read(self.path(name))
         return sheet
@@ -167,11 +180,30 @@ class EdsRead(CommandTest):
         self.assertRegex(result.stderr, r"1280h:01h [^\n]*: 06020000h: the object does not exist")
         self.assertRegex(result.stdout, r"\d+ entries read, \d+ not, written to")
 
+    def test_the_lines_of_a_refusal_make_an_eds_of_a_node_with_an_object_of_its_own(self):
+        self.assert_done(run("eds", "export", "battery", "--out", self.path("own.eds")))
+        with open(self.path("own.eds"), "a") as sheet:
+            sheet.write(OWN_OBJECT)
+        self.start(self.path("own.eds"), "50")
+        told = run("clone", BUS, "50", "--ask", "2000-200F", "--out", self.path("made.eds")).stderr
+        lines = [part.split(" leaves")[0].replace(";", "").split() for part in told.split("canvoy ")[1:]]
+        self.assertEqual([line[0] for line in lines], ["clone", "eds"], told)
+        self.assert_done(run(*lines[0][:3], "--ask", "2000-200F", *lines[0][3:]))
+        said = self.assert_done(run(*lines[1]))
+        self.assertRegex(said, r"\A\S+ does not hold ParameterValue of \d+ entries\n\Z")
+        made = configparser.ConfigParser(interpolation=None)
+        made.read(self.path("made.eds"))
+        self.assertEqual(made["2000"]["DataType"], "0x0006", "by its length of two bytes")
+        self.assertNotIn("ParameterValue", made["2000"])
+
     def test_what_is_not_there_leaves_no_file(self):
         missing = run("eds", "read", BUS, "99", "--out", self.path("no.dcf"), "--timeout", "100ms")
         self.assert_refused(missing, FAILED, "node 99", "no answer")
         self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.txt")), USAGE, ".dcf")
-        self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.eds")), USAGE, ".dcf")
+        for verb in (("eds", "read"), ("clone",)):
+            line = f"canvoy {' '.join(verb)} {BUS} 10 --out {self.path('no.dcf')}"
+            self.assert_refused(run(*verb, BUS, "10", "--out", self.path("no.eds")), USAGE, "an EDS holds no values", line)
+        self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.xdd")), USAGE, "no.xdc")
         self.assert_refused(run("eds", "read", BUS, "200"), USAGE, "200")
         self.assert_refused(run("eds", "read", BUS, "10", "--domains", self.path("no")), USAGE, "no folder")
         self.assert_refused(run("eds", "read", BUS, "10", "--eds", self.path("no.eds")), FAILED, "no.eds")

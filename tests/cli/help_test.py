@@ -8,6 +8,7 @@ import pathlib
 import pty
 import re
 import select
+import shlex
 import shutil
 import signal
 import subprocess
@@ -160,6 +161,22 @@ class Help(CommandTest):
                 if line.startswith("canvoy check can0"):
                     allowed = (DONE, NOT_CONFORMING)  # the charger starts the battery when it likes
                 self.assertIn(status, allowed, f"{output[-500:]}\n{errors}")
+
+    def test_options_of_each_example_may_stand_in_front_of_its_verb(self):
+        tried = 0
+        for verb in verbs():
+            for line in examples(verb):
+                words = shlex.split(line)
+                at = next((i for i, word in enumerate(words) if word.startswith("-") and word != "-"), None)
+                if at is None or words[0] != "canvoy" or "|" in words or "--help" in words:
+                    continue
+                with self.subTest(example=line):
+                    moved = run(*words[at:], *words[1:at], "--help")
+                    # What excludes an option has no order.
+                    first, other = (sorted(text.split()) for text in (moved.stdout, run(*words[1:at], "--help").stdout))
+                    self.assertEqual(first, other, moved.stderr)
+                    tried += 1
+        self.assertGreater(tried, 60)
 
     # -- completion
 

@@ -145,7 +145,7 @@ LATER = [
     Row("canvoy plot night.log 'battery voltage'", "battery_voltage (10)"),
     Row("canvoy lss can0 find", "vendor 0h"),
     Row("canvoy export html pump.eds -o p.html"),
-    Row("canvoy clone can0 10 my.eds", told="name it .dcf or .xdc"),
+    Row("canvoy clone can0 10 my.eds", told="canvoy clone BUS 10 --out my.dcf; canvoy eds convert my.dcf my.eds leaves them out"),
     Row("canvoy monitor -n 3 can0", "node 10"),
     Row("canvoy dump night.log | head -1", "boot-up"),
     Row("canvoy cat night.log | head -1", "boot-up"),

@@ -1,5 +1,7 @@
 #include "canvoy/tools/cli/meant_line.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -104,6 +106,17 @@ bool is_safe_line(std::string_view line, const Words& words) {
     const bool is_typed = std::ranges::find(words, word) != words.end();
     return !is_typed && std::filesystem::is_regular_file(word, none);
   });
+}
+
+std::string new_file(std::string_view file, std::string_view ending) {
+  std::filesystem::path name(file);
+  std::error_code none;
+  const std::string stem = name.replace_extension().string();
+  std::string made = fmt::format("{}.{}", stem, ending);
+  for (int number = 2; std::filesystem::exists(made, none); ++number) {
+    made = fmt::format("{}-{}.{}", stem, number, ending);
+  }
+  return made;
 }
 
 std::string line_without(Words words, const Words& unknown) {

@@ -29,6 +29,10 @@ bool only_shows(const std::vector<std::string>& words);
 /// there already as one to be written.
 bool is_safe_line(std::string_view line, const std::vector<std::string>& words);
 
+/// A file of a told line, which is not there yet: typing it overwrites nothing. `night.log` with
+/// the ending `csv` is `night.csv`, or `night-2.csv`.
+std::string new_file(std::string_view file, std::string_view ending);
+
 /// The line without these words, each of them once.
 std::string line_without(std::vector<std::string> words, const std::vector<std::string>& unknown);
 

@@ -66,5 +66,13 @@ TEST(MeantLine, SendsNoValueOfAnExampleAndNamesNoFileThatIsThere) {
   std::remove(file.c_str());
 }
 
+TEST(MeantLine, NamesAFileThatIsNotThere) {
+  const std::string stem = testing::TempDir() + "meant_line_new";
+  EXPECT_EQ(new_file(stem + ".eds", "dcf"), stem + ".dcf");
+  std::ofstream(stem + ".dcf") << "a sheet";
+  EXPECT_EQ(new_file(stem + ".eds", "dcf"), stem + "-2.dcf");
+  std::remove((stem + ".dcf").c_str());
+}
+
 }  // namespace
 }  // namespace canvoy::tools::meant_line_test

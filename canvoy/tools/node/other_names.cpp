@@ -121,6 +121,21 @@ std::size_t take_front(const Words& words, std::size_t at, Front& front) {
   return is_place ? 1 : 0;
 }
 
+/// Returns the number of words in front of the verb.
+std::size_t take_all_in_front(const Words& words, Front& front) {
+  std::size_t at = 0;
+  while (at < words.size() && !is_one_of(words[at], {"--help", "-h", "--version"})) {
+    const std::size_t count = take_front(words, at, front);
+    if (count == 0) break;
+    at += count;
+  }
+  return at;
+}
+
+bool is_alone(const Words& words, std::size_t at) {
+  return at + 1 == words.size() || words[at + 1].starts_with('-');
+}
+
 // Names that depend on what stands behind them
 
 bool has_node(const Words& words) {
@@ -414,15 +429,34 @@ bool is_sheet_name(std::string_view word) {
   return has_ending(word, {".eds", ".dcf", ".xdd", ".xdc", ".EDS", ".DCF"});
 }
 
+bool finds_verb(const Words& words) {
+  Front front;
+  const std::size_t at = take_all_in_front(words, front);
+  if (at == words.size()) return !front.places.empty();
+  return words[at].starts_with('-') || !line_from(words, at).empty();
+}
+
+std::vector<std::string> line_from(const Words& words, std::size_t at) {
+  if (is_verb_name(words[at])) return behind(words, at);
+  const VerbWords* const other = verb_called(words[at]);
+  if (other == nullptr) {
+    Words verb = is_alone(words, at) ? verb_of_thing(words[at]) : Words{};
+    if (!verb.empty())
+      verb.insert(verb.end(), words.begin() + static_cast<std::ptrdiff_t>(at), words.end());
+    return verb;
+  }
+  const std::size_t blank = std::min(other->name.find(' '), other->name.size());
+  Words verb = {std::string(other->name.substr(0, blank))};
+  if (blank < other->name.size()) verb.emplace_back(other->name.substr(blank + 1));
+  const Words rest = behind(words, at + 1);
+  verb.insert(verb.end(), rest.begin(), rest.end());
+  return verb;
+}
+
 void put_verb_in_front(Words& words) {
   std::erase_if(words, is_loudness);
   Front front;
-  std::size_t at = 0;
-  while (at < words.size() && !is_one_of(words[at], {"--help", "-h", "--version"})) {
-    const std::size_t count = take_front(words, at, front);
-    if (count == 0) break;
-    at += count;
-  }
+  const std::size_t at = take_all_in_front(words, front);
   if (at == words.size()) {
     if (front.places.empty()) return;
     Words verb = verb_of_thing(front.places.front());
@@ -437,8 +471,8 @@ void put_verb_in_front(Words& words) {
         fmt::format("which verb? canvoy monitor {0} shows its frames, canvoy scan {0} who is there",
                     front.places.front()));
   }
-  const bool is_alone = at + 1 == words.size() || words[at + 1].starts_with('-');
-  if (front.places.empty() && is_alone && !is_verb_name(words[at]) && !is_other_name(words[at])) {
+  const bool is_verb = is_verb_name(words[at]) || is_other_name(words[at]);
+  if (front.places.empty() && is_alone(words, at) && !is_verb) {
     const Words verb = verb_of_thing(words[at]);
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), verb.begin(), verb.end());
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,12 @@ inline constexpr auto verb_words = std::to_array<VerbWords>({
 bool is_verb_name(std::string_view word);
 /// True for a file name of a data sheet: EDS, DCF, XDD, XDC.
 bool is_sheet_name(std::string_view word);
+
+/// True if the verb is found behind the buses, nodes and options without a value in front of it.
+bool finds_verb(const std::vector<std::string>& words);
+/// The words from this place on, with our name of the verb there, `cat a.log` as `decode a.log`, or
+/// the verb of a thing that stands alone, `a.log`; empty: it is neither.
+std::vector<std::string> line_from(const std::vector<std::string>& words, std::size_t at);
 
 /// The verb goes to the front; bus and node behind it, also those of `--bus can0` before the verb.
 /// Throws UsageError for a bus alone.

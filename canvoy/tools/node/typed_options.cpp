@@ -236,6 +236,13 @@ class TypedOptions {
     return words_;
   }
 
+  /// Of words that shall be options alone.
+  FrontFit fit() const {
+    if (has_unknown_ || misses_value_ || !loose_.empty()) return FrontFit::none;
+    const bool may_be_place = has_other_spelling_ && (!named_.empty() || is_place("node"));
+    return may_be_place ? FrontFit::other : FrontFit::known;
+  }
+
  private:
   const OptionInfo* find_option(std::string_view name) const {
     const auto found = std::ranges::find_if(options_, [name](const OptionInfo& option) {
@@ -282,6 +289,8 @@ class TypedOptions {
   /// Several values have one form: `--eds 9=pump.eds night.log` is followed by a log.
   std::size_t take_values(const OptionInfo* option, const Words& rest, std::size_t at) {
     if (option == nullptr || option->is_flag) return at;
+    const bool is_last = at == rest.size() || is_option(rest[at]);
+    misses_value_ = misses_value_ || (is_last && option->takes_value);
     const bool is_pair = at < rest.size() && rest[at].find('=') != std::string::npos;
     do {
       if (at == rest.size() || is_option(rest[at])) return at;
@@ -296,6 +305,7 @@ class TypedOptions {
 
   std::size_t take_unknown(const Words& rest, std::size_t at,
                            const std::optional<std::string>& value, bool is_behind) {
+    has_other_spelling_ = true;
     const std::string plain = plain_option(rest[at]).substr(0, plain_option(rest[at]).find('='));
     const std::size_t next = at + (value && is_behind ? 2 : 1);
     for (const std::string& place : {plain, plain + 's'}) {
@@ -335,9 +345,11 @@ class TypedOptions {
       name_place(each.meant, *value);
       return next;
     }
-    said_.push_back(rest[at]);
+    // The line is refused: a value is no file to be written.
+    const auto first = rest.begin() + static_cast<std::ptrdiff_t>(at);
+    said_.insert(said_.end(), first, first + static_cast<std::ptrdiff_t>(next - at));
     has_unknown_ = true;
-    return at + 1;
+    return next;
   }
 
   /// Returns the place of the next word.
@@ -346,6 +358,7 @@ class TypedOptions {
     is_changed_ = true;
     said_.push_back(option.names.front());
     if (option.is_flag) return at + 1;
+    misses_value_ = misses_value_ || (!value && option.takes_value);
     if (value) said_.push_back(std::string(in_front) + value_of(option.name, *value));
     return next;
   }
@@ -507,6 +520,8 @@ class TypedOptions {
   std::map<std::string, std::string> named_;  ///< words of places, by their names
   bool is_changed_ = false;
   bool has_unknown_ = false;  ///< an option that the verb will refuse
+  bool misses_value_ = false;
+  bool has_other_spelling_ = false;
 };
 
 /// The verb below with this name.
@@ -516,20 +531,34 @@ const Verb* verb_below(const Verb& verb, const std::string& name) {
   return found == verb.verbs().end() ? nullptr : found->get();
 }
 
+/// The innermost verb that the words begin with, and the number of words of its name.
+struct Innermost {
+  const Verb* verb;
+  std::size_t count = 0;
+};
+Innermost innermost(const Words& words, const Verb& line) {
+  Innermost found{&line};
+  while (found.count < words.size()) {
+    const Verb* const below = verb_below(*found.verb, words[found.count]);
+    if (below == nullptr) break;
+    found.verb = below;
+    ++found.count;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::string> with_known_options(std::vector<std::string> words, const Verb& line) {
-  const Verb* verb = &line;
-  std::size_t at = 0;
-  while (at < words.size()) {
-    const Verb* const below = verb_below(*verb, words[at]);
-    if (below == nullptr) break;
-    verb = below;
-    ++at;
-  }
-  if (verb == &line) return words;
-  std::optional<Words> meant = TypedOptions(words, *verb, at).meant();
+  const Innermost found = innermost(words, line);
+  if (found.count == 0) return words;
+  std::optional<Words> meant = TypedOptions(words, *found.verb, found.count).meant();
   return meant ? *std::move(meant) : words;
+}
+
+FrontFit fit_of_front(const Words& front, const Words& words, const Verb& line) {
+  const Innermost found = innermost(words, line);
+  return found.count == 0 ? FrontFit::none : TypedOptions(front, *found.verb, 0).fit();
 }
 
 }  // namespace canvoy::tools

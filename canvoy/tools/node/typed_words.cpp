@@ -210,18 +210,6 @@ void use_node_behind_bus(Words& words) {
   if (is_behind) words.insert(words.begin() + static_cast<std::ptrdiff_t>(places), "--node-id");
 }
 
-/// A file of a told line, which is not there yet: typing it overwrites nothing.
-std::string new_file(std::string_view log, std::string_view ending) {
-  std::filesystem::path name(log);
-  std::error_code none;
-  const std::string stem = name.replace_extension().string();
-  std::string made = fmt::format("{}.{}", stem, ending);
-  for (int number = 2; std::filesystem::exists(made, none); ++number) {
-    made = fmt::format("{}-{}.{}", stem, number, ending);
-  }
-  return made;
-}
-
 /// Of a conversion that says only the format of the file to be written: `bus.trc --to csv`.
 std::string format_to_convert(const Words& words) {
   if (words.size() == 2) return "asc";

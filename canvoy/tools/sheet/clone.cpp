@@ -62,8 +62,7 @@ int clone_node(const CloneOptions& options) {
   ranges.reserve(options.ranges.size());
   for (const std::string& text : options.ranges) ranges.push_back(parse_index_range(text));
   const std::string out = options.out.empty() ? fmt::format("node{}.dcf", node) : options.out;
-  if (!out.ends_with(".dcf") && !out.ends_with(".xdc"))
-    throw UsageError(fmt::format("{}: name it .dcf or .xdc", out));
+  require_values(out, {"clone", options.bus, options.node});
   Session session(options.bus, parse_answer_time(options.time_out));
   NodeReader reader(session, node, {.bus = options.bus, .out = out});
   ScanLine line;

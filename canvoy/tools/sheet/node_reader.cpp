@@ -52,6 +52,7 @@ DataSheet NodeReader::read() {
   }
   const Profile& profile = profile_of(device_type);
   source_ = std::string(profile.name);
+  is_by_profile_ = true;
   return scan_.read_profile(profile, identity);
 }
 

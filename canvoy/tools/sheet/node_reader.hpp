@@ -45,6 +45,8 @@ class NodeReader {
   const formats::SheetScan& scan() const { return scan_; }
   /// The source of the descriptions: `CiA 419`.
   const std::string& source() const { return source_; }
+  /// True if a profile is the source: what the manufacturer has added is not described.
+  bool is_by_profile() const { return is_by_profile_; }
 
  private:
   std::uint32_t number(std::uint16_t index, std::uint8_t sub);
@@ -57,6 +59,7 @@ class NodeReader {
   Session& session_;
   formats::SheetScan scan_;
   std::string source_ = "the given sheet";
+  bool is_by_profile_ = false;
 };
 
 }  // namespace canvoy::tools

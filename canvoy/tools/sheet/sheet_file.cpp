@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/formats/xdd/xdd_writer.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
 
 namespace canvoy::tools {
@@ -60,6 +62,20 @@ std::string sheet_text(const formats::DataSheet& sheet, const std::string& path)
   if (ends_with(".xdd") || ends_with(".xdc")) return formats::write_xdd(written);
   if (ends_with(".eds") || ends_with(".dcf")) return formats::write_eds(written);
   throw UsageError(fmt::format("{}: name it .eds, .dcf, .xdd or .xdc", path));
+}
+
+void require_values(const std::string& path, std::vector<std::string> line) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".dcf" || ending == ".xdc") return;
+  const bool is_eds = formats::same_letters(ending, ".eds");
+  if (!is_eds && !formats::same_letters(ending, ".xdd")) {
+    throw UsageError(fmt::format("{}: name it .dcf or .xdc", path));
+  }
+  const std::string with_values = new_file(path, is_eds ? "dcf" : "xdc");
+  line.insert(line.end(), {"--out", with_values});
+  throw UsageError(fmt::format(
+      "{}: an {} holds no values, and those of a node are read: {}; {} leaves them out", path,
+      is_eds ? "EDS" : "XDD", typed_line(line), typed_line({"eds", "convert", with_values, path})));
 }
 
 std::string finding_text(const std::string& path, const formats::Finding& finding) {
