@@ -112,6 +112,9 @@ class NewcomerTest(unittest.TestCase):
     def test_the_first_device_and_its_data_sheet(self):
         self.assertGreater(self.sut.does(ROOT / "docs" / "tutorials" / "first-device.md"), 6)
 
+    def test_own_objects_are_used_in_the_program(self):
+        self.assertGreater(self.sut.does(ROOT / "docs" / "how-to" / "own-objects.md"), 4)
+
     def test_the_device_of_the_readme_is_linked_as_the_pages_say(self):
         [device] = blocks("README.md", "cpp", "int main")
         self.sut.writes(device, "my_device.cpp")
