@@ -23,20 +23,29 @@ def script(name):
 
 coverage, evidence = script("coverage"), script("evidence")
 
-# As llvm-cov export -format=lcov has it.
-LCOV = """SF:{root}/canvoy/can/a.cpp
-DA:1,3
-DA:2,0
-BRDA:3,0,0,2
-BRDA:3,0,1,0
-end_of_record
-SF:{root}/canvoy/can/a_test.cpp
-DA:1,0
-end_of_record
-SF:{root}/canvoy/text/b.cpp
-DA:1,0
-end_of_record
-"""
+# As llvm-cov export has it of one program: lines, and the rest by file. A place is line, column, line, column; a branch adds how
+# often it was true and false, and its kind is last; a segment begins at its line and column, and has a count.
+SOURCE = "canvoy/can/a.hpp"
+TEXT = "bool f(int a) {\n  return a > 3 && g(a);\n}\nvoid h();\n"
+FIRST, SECOND = [2, 10, 2, 15], [2, 19, 2, 23]
+UNUSED = [[1, 15, 0, True, True, False], [3, 2, 0, False, False, False]]
+USED = [[1, 15, 7, True, True, False], [2, 19, 5, True, True, False], [3, 2, 0, False, False, False]]
+
+
+def program(root, lines, segments=(), branches=(), decisions=(), path=SOURCE):
+    lcov = f"SF:{root}/{path}\n" + "".join(f"DA:{line},{count}\n" for line, count in lines.items()) + "end_of_record\n"
+    rows = [[*place, yes, no, 0, 0, 6] for place, yes, no in branches]
+    conditions = [[*place, 0, 5, told] for place, told in decisions]
+    return lcov, {"data": [{"files": [{"filename": f"{root}/{path}", "segments": list(segments), "branches": rows, "mcdc_records": conditions}]}]}
+
+
+def reached_by(*programs):
+    places = coverage.Places("/root")
+    for each in programs:
+        places.add(*program("/root", **each))
+    return places
+
+
 # As ctest and libFuzzer have it.
 LOG = """1/2 Testing: fuzz.nmea_fuzz
 #1024 pulse  cov: 12 ft: 20 corp: 3/9b
@@ -53,25 +62,69 @@ class Evidence(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_rooms_are_folders_and_tests_are_none(self):
-        def file(path, covered):
-            counts = {"count": 10, "covered": covered}
-            return {"filename": f"/root/{path}", "summary": {"lines": counts, "branches": counts}}
-
-        files = [file("canvoy/can/a.cpp", 9), file("canvoy/can/b.hpp", 10), file("canvoy/can/a_test.cpp", 1), file("canvoy/can/testing/c.hpp", 1),
-                 file("../usr/include/vector", 1), file("canvoy/can/host/d.cpp", 0)]  # fmt: skip
-        rooms = coverage.rooms_of({"data": [{"files": files}]}, "/root")
-        self.assertEqual({name: room["lines"] for name, room in rooms.items()}, {"can": [19, 20], "can/host": [0, 10]})
+        places = reached_by(*({"path": path, "lines": {1: count, 2: 1}} for path, count in (
+            ("canvoy/can/a.cpp", 0), ("canvoy/can/b.hpp", 1), ("canvoy/can/a_test.cpp", 0), ("canvoy/can/testing/c.hpp", 0),
+            ("../usr/include/vector", 0), ("canvoy/can/host/d.cpp", 0))))  # fmt: skip
+        rooms = places.rooms()
+        self.assertEqual({name: room["lines"] for name, room in rooms.items()}, {"can": [3, 4], "can/host": [1, 2]})
         self.assertEqual(rooms["can"]["mcdc"], [0, 0])
 
-    def test_what_is_not_reached_is_told_by_line(self):
+    def unreached(self, *programs):
         with tempfile.TemporaryDirectory() as name:
             root = pathlib.Path(name)
-            for path in ("canvoy/can/a.cpp", "canvoy/can/a_test.cpp", "canvoy/text/b.cpp"):
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text("one\n  two\nthree\n")
-            told = coverage.unreached_in(LCOV.format(root=root), root)
-        self.assertEqual([(each["path"], each["line"], each["what"], each["text"]) for each in told],
-                         [("canvoy/can/a.cpp", 2, "line", "two"), ("canvoy/can/a.cpp", 3, "branch", "three")])  # fmt: skip
+            (root / SOURCE).parent.mkdir(parents=True)
+            (root / SOURCE).write_text(TEXT)
+            return [(each["line"], each["what"], each["condition"]) for each in reached_by(*programs).unreached(root)]
+
+    def test_what_no_program_reaches_is_told(self):
+        used = {"lines": {1: 7, 2: 7, 4: 0}, "segments": USED, "branches": [(FIRST, 7, 0), (SECOND, 2, 3)]}
+        self.assertEqual(self.unreached(used), [(2, "never false", "a > 3"), (4, "line", "")])
+
+    def test_a_line_is_reached_if_one_program_does(self):
+        used, unused = {"lines": {1: 7, 2: 7}}, {"lines": {1: 0, 2: 0}}
+        self.assertEqual(self.unreached(used, unused), [])
+        self.assertEqual(self.unreached(unused, used), [])
+        self.assertEqual(self.unreached(unused, unused), [(1, "line", ""), (2, "line", "")])
+
+    def test_a_branch_is_reached_on_each_side_by_any_instantiation_and_any_program(self):
+        lines = {1: 7, 2: 7}
+        twice = {"lines": lines, "segments": USED, "branches": [(FIRST, 7, 0), (FIRST, 0, 0), (FIRST, 0, 1)]}
+        self.assertEqual(self.unreached(twice), [])
+        one, other = ({"lines": lines, "segments": USED, "branches": [(FIRST, *counts)]} for counts in ((7, 0), (0, 7)))
+        self.assertEqual(self.unreached(one), [(2, "never false", "a > 3")])
+        self.assertEqual(self.unreached(one, other), [])
+        rooms = reached_by(one, other, one).rooms()
+        self.assertEqual(rooms["can"]["branches"], [2, 2])
+
+    def test_a_condition_that_the_compiler_decides_has_no_branches(self):
+        constant = {"lines": {1: 7, 2: 7}, "segments": USED, "branches": [(FIRST, 0, 0), (SECOND, 1, 1)]}
+        self.assertEqual(self.unreached(constant), [])
+        self.assertEqual(reached_by(constant).rooms()["can"]["branches"], [2, 2])
+        not_asked = {"lines": {1: 7, 2: 7}, "segments": [*USED[:1], [2, 19, 0, True, True, False], USED[2]], "branches": [(SECOND, 0, 0)]}
+        self.assertEqual(self.unreached(not_asked), [(2, "never asked", "g(a)")])
+        self.assertEqual(self.unreached(not_asked, constant), [])
+
+    def test_a_line_that_nothing_reaches_is_told_once(self):
+        unused = {"lines": {1: 0, 2: 0}, "segments": UNUSED, "branches": [(FIRST, 0, 0)]}
+        self.assertEqual(self.unreached(unused), [(1, "line", ""), (2, "line", "")])
+
+    def test_conditions_are_united_too_without_those_that_the_compiler_decides(self):
+        both, decision = {"lines": {1: 7, 2: 7}, "segments": USED}, [2, 10, 2, 23]
+        asked = [(FIRST, 7, 1), (SECOND, 2, 3)]
+        one, other = ({**both, "branches": asked, "decisions": [(decision, told)]} for told in ([True, False], [False, True]))
+        self.assertEqual(reached_by(one).rooms()["can"]["mcdc"], [1, 2])
+        self.assertEqual(reached_by(one, other).rooms()["can"]["mcdc"], [2, 2])
+        constant = {**both, "branches": [(FIRST, 0, 0), (SECOND, 2, 3)], "decisions": [(decision, [False, True])]}
+        self.assertEqual(reached_by(constant).rooms()["can"]["mcdc"], [1, 1])
+
+    def test_headers_of_the_project_must_not_be_precompiled(self):
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name) / "folders" / "canvoy_a.dir" / "cmake_pch.hxx"
+            file.parent.mkdir(parents=True)
+            file.write_text("#pragma clang system_header\n#include <array>\n")
+            self.assertEqual(coverage.hidden_headers(pathlib.Path(name)), [])
+            file.write_text(f'#pragma clang system_header\n#include <canvoy/a.hpp>\n#include "{ROOT}/canvoy/b.hpp"\n#include <array>\n')
+            self.assertEqual(coverage.hidden_headers(pathlib.Path(name)), ["canvoy/a.hpp", "canvoy/b.hpp"])
 
     def test_executions_are_those_of_the_log(self):
         self.assertEqual(evidence.fuzzing_of(LOG), {"nmea": {"executions": 123456, "edges": 345}})
