@@ -119,7 +119,8 @@ response-times:
 	@CANVOY_SETS=$(SETS) build/folders/timing/canvoy_timing_test --gtest_brief=1 --gtest_filter='Bounds.*'
 
 # Hours of a world with faults, one for each seed: what must hold is checked at each event. soak-gaps has gaps of 1 ms to
-# 3 s in the communication of each world; soak-bus-places each fault of a bus at a terminal, between stops and at one.
+# 3 s in the communication of each world; soak-bus-places each fault of a bus at a terminal, between stops and at one;
+# soak-all plays all of these one after the other.
 soak-%:
 	@scripts/install-packages bench
 	@cmake --preset bench --log-level=WARNING

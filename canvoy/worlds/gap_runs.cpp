@@ -1,5 +1,6 @@
 #include "canvoy/worlds/gap_runs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -66,7 +67,7 @@ GapRun run_gap(Options options, const Drawn& drawn, const Kinds& kinds, Fault fa
   const auto moments = moments_without_fault<Network>(options, time);
   if (moments.empty()) return {};
   place(fault, kinds, random, draw_gap(random, moments, drawn.consumer_times));
-  GapRun run{.fault = fault_text(fault), .wrong = {}};
+  GapRun run{.fault = fault_text(fault), .wrong = {}, .time = time};
   options.faults.faults = {fault};
   Network network(options);
   network.run_until(Time(time));
@@ -95,7 +96,7 @@ lift::LiftNetworkDescription lifts_of(Random& random, std::uint64_t seed) {
 
 GapRun run_lift(const lift::LiftNetworkDescription& description,
                 const lift::ScheduledFault& fault) {
-  GapRun run{.fault = fault_text(fault), .wrong = {}};
+  GapRun run{.fault = fault_text(fault), .wrong = {}, .time = lift_time};
   lift::LiftNetwork network(description);
   lift::StandstillWatch watch;
   for (Time at{}; at <= Time(lift_time); at += lift::StandstillWatch::period) {
@@ -197,52 +198,59 @@ GapRun excavator_gap(std::uint64_t seed) {
 
 // Soaks.
 
+/// A run with the faults of its options, in which all must hold.
 template <class Network, class Options>
-std::vector<std::string> wrong_of(const Options& options, Duration time) {
+SoakRun faulty_run(const Options& options, Duration time) {
   Network network(options);
   network.run_until(Time(time));
-  GapRun run;
-  judge(network, run);
-  return run.wrong;
+  GapRun judged;
+  judge(network, judged);
+  const auto& faults = options.faults.faults;
+  const auto begins = [time](const auto& fault) { return fault.start < Time(time); };
+  return {.wrong = judged.wrong,
+          .time = network.now() - Time{},
+          .sabotaged_time = {},
+          .faults = static_cast<std::size_t>(std::ranges::count_if(faults, begins))};
 }
 
-/// Adds a line where this invariant is not broken in spite of a sabotage.
+/// Adds the time of a run with a sabotage, and a line if this invariant is not broken in it.
 template <class Network, class Kind>
-std::vector<std::string> and_seen(std::vector<std::string> wrong, const Network& sabotaged,
-                                  Kind kind, const char* complaint) {
+SoakRun and_seen(SoakRun run, const Network& sabotaged, Kind kind, const char* complaint) {
+  run.sabotaged_time += sabotaged.now() - Time{};
   for (const auto& invariant : sabotaged.invariants()) {
-    if (invariant.kind == kind && !invariant.held) return wrong;
+    if (invariant.kind == kind && !invariant.held) return run;
   }
-  wrong.emplace_back(complaint);
-  return wrong;
+  run.wrong.emplace_back(complaint);
+  return run;
 }
 template <class Network, class Options, class Kind>
-std::vector<std::string> soak_of(const Options& options, const Options& sabotaged, Duration time,
-                                 Kind kind, const char* complaint) {
+SoakRun soak_of(const Options& options, const Options& sabotaged, Duration time, Kind kind,
+                const char* complaint) {
   Network network(sabotaged);
   network.run_until(Time(time));
-  return and_seen(wrong_of<Network>(options, time), network, kind, complaint);
+  return and_seen(faulty_run<Network>(options, time), network, kind, complaint);
 }
 
-std::vector<std::string> lift_soak(std::uint64_t seed) {
+SoakRun lift_soak(std::uint64_t seed) {
   using namespace lift;
-  std::vector<std::string> wrong = wrong_of<LiftNetwork>(soak_network(seed), soak_time);
-  for (const std::string& line : wrong_of<LiftNetwork>(soak_network_of_pairs(seed), soak_time)) {
-    wrong.push_back("pairs of faults: " + line);
-  }
-  return wrong;
+  SoakRun run = faulty_run<LiftNetwork>(soak_network(seed), soak_time);
+  const SoakRun pairs = faulty_run<LiftNetwork>(soak_network_of_pairs(seed), soak_time);
+  for (const std::string& line : pairs.wrong) run.wrong.push_back("pairs of faults: " + line);
+  run.time += pairs.time;
+  run.faults += pairs.faults;
+  return run;
 }
 
-std::vector<std::string> charger_soak(std::uint64_t seed) {
+SoakRun charger_soak(std::uint64_t seed) {
   using namespace charger;
   ChargerNetwork network(soak_charging(seed));
   weld_contactor(network);
   network.run_until(Time(charging_soak_time));
-  return and_seen(wrong_of<ChargerNetwork>(soak_charging(seed), charging_soak_time), network,
+  return and_seen(faulty_run<ChargerNetwork>(soak_charging(seed), charging_soak_time), network,
                   InvariantKind::current_outside_handshake, "a welded contactor was not seen");
 }
 
-std::vector<std::string> taxi_soak(std::uint64_t seed) {
+SoakRun taxi_soak(std::uint64_t seed) {
   using namespace taxi;
   TaxiOptions sabotaged = soak_taxi(seed);
   enlarge_wheels(sabotaged);
@@ -250,7 +258,7 @@ std::vector<std::string> taxi_soak(std::uint64_t seed) {
                               "wheels that are too large were not seen");
 }
 
-std::vector<std::string> police_soak(std::uint64_t seed) {
+SoakRun police_soak(std::uint64_t seed) {
   using namespace police;
   PoliceOptions sabotaged = soak_police(seed);
   darken(sabotaged);
@@ -258,7 +266,7 @@ std::vector<std::string> police_soak(std::uint64_t seed) {
                                 InvariantKind::blue_light, "flashers without light were not seen");
 }
 
-std::vector<std::string> bus_soak(std::uint64_t seed) {
+SoakRun bus_soak(std::uint64_t seed) {
   using namespace bus_line;
   BusNetworkOptions sabotaged = soak_bus(seed);
   freeze(sabotaged);
@@ -266,7 +274,7 @@ std::vector<std::string> bus_soak(std::uint64_t seed) {
                              "a destination that does not change was not seen");
 }
 
-std::vector<std::string> excavator_soak(std::uint64_t seed) {
+SoakRun excavator_soak(std::uint64_t seed) {
   using namespace excavator;
   ExcavatorOptions sabotaged = soak_excavator(seed);
   darken(sabotaged);

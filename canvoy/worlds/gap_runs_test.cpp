@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/worlds/charger/charger_soak.hpp"
+
 namespace canvoy::gap_runs_test {
 namespace {
 
@@ -26,6 +28,14 @@ TEST_P(Gaps, LeaveNobodyStandingForLongerThanTheyLastAndAreNoticed) {
 INSTANTIATE_TEST_SUITE_P(EachWorld, Gaps,
                          testing::ValuesIn(simulated_worlds().begin(), simulated_worlds().end()),
                          [](const auto& row) { return std::string(row.param.name); });
+
+/// The campaign's sums are those of its runs.
+TEST(Soak, TellsItsTimeAndItsFaults) {
+  const SoakRun run = simulated_worlds()[1].soak(1);
+  EXPECT_EQ(run.time, charger::charging_soak_time);
+  EXPECT_EQ(run.sabotaged_time, charger::charging_soak_time);
+  EXPECT_EQ(run.faults, charger::soak_charging(1).faults.faults.size());
+}
 
 }  // namespace
 }  // namespace canvoy::gap_runs_test

@@ -134,9 +134,33 @@ class Evidence(unittest.TestCase):
                 "each bound was reached to 99.125 % at least\n")  # fmt: skip
         self.assertEqual(evidence.response_times_of(line), [{"what": "at critical instants", "messages": 9500, "unbounded": 3, "least": 99.125}])
 
+    def test_hours_are_those_that_the_campaigns_printed(self):
+        text = ("lift, seed 3: a door\nlift: 20 seeds, 40.0 h with 1234 faults, 0.0 h with a sabotage as well, 1 seeds with a wrong verdict\n"
+                "bus-places: 5 seeds, 832.5 h with 1110 faults, 123.8 h with a sabotage as well, 0 seeds with a wrong verdict\n")  # fmt: skip
+        rows = evidence.soak_of(text)
+        self.assertEqual(rows, [{"campaign": "lift", "seeds": 20, "hours": 40.0, "faults": 1234, "sabotaged_hours": 0.0, "wrong": 1},
+                                {"campaign": "bus-places", "seeds": 5, "hours": 832.5, "faults": 1110, "sabotaged_hours": 123.8, "wrong": 0}])  # fmt: skip
+        self.assertIn("| **all** | 25 | 872.5 | 2,344 | 123.8 | 1 |", evidence.soak_text({"commit": "abc", "campaigns": rows}))
+
+    def test_each_release_keeps_its_row(self):
+        room = {"lines": [9, 10], "branches": [3, 4], "mcdc": [1, 2]}
+        data = {"coverage": {"rooms": {"can": room, "canopen": room}}, "fuzzing": {"targets": {"a": {"executions": 7000}, "b": {"executions": 1}}},
+                "corpora": {"a": {"files": 2, "bytes": 10}}, "soak": {"campaigns": [{"hours": 872.5, "faults": 2344}]},
+                "cases": {"301": 197, "419": {"data": 99, "behaviour": 33}}, "response_times": [{"messages": 9369}, {"messages": 1}]}  # fmt: skip
+        row = evidence.release_row(data)
+        self.assertEqual(row, {"branches_canopen": 75.0, "branches": 75.0, "mcdc": 50.0, "fuzz_targets": 2, "fuzz_executions": 7001, "fuzz_seeds": 2,
+                               "hours": 872.5, "faults": 2344, "response_times": 9370, "cases": 329})  # fmt: skip
+        text = evidence.releases_text({"0.3.0": row, "0.2.0": {"cases": 100}})
+        self.assertIn("| 0.3.0 | 75.0 | 75.0 | 50.0 | 2 | 7,001 | 2 | 872.5 | 2,344 | 9,370 | 329 |", text)
+        self.assertIn("| 0.2.0 | - | - | - | - | - | - | - | - | - | 100 |", text)
+
+    def test_what_is_behind_a_release_is_a_row_of_its_own(self):
+        self.assertEqual(evidence.release_of("# Changelog\n\n## [Unreleased]\n\n### Added\n\n- More.\n\n## [0.2.0] - 2026-11-28\n"), "after 0.2.0")
+        self.assertEqual(evidence.release_of("# Changelog\n\n## [Unreleased]\n\n## [0.3.0] - 2026-12-28\n\n## [0.2.0]\n"), "0.3.0")
+
     def test_what_was_not_measured_is_said_to_be_so(self):
         page = evidence.page_of({})
-        self.assertEqual(page.lower().count("not measured"), 5, page)
+        self.assertEqual(page.lower().count("not measured"), 6, page)
 
 
 if __name__ == "__main__":
