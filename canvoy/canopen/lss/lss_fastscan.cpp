@@ -12,6 +12,8 @@ constexpr std::uint8_t top_bit = 31;
 /// Number of requests to all slaves, each with twice the time-out, until none is assumed to be
 /// present.
 constexpr std::uint8_t silences_max = 3;
+/// Limit of the questions whether any slave is there that a full controller does not take.
+constexpr std::uint8_t unsent_max = 10;
 /// Number of checks of one address, since its node may have left Fastscan already.
 constexpr std::uint8_t checks_max = 2;
 /// Factor from a measured time to the time used.
@@ -76,7 +78,7 @@ void LssFastscan::cancel() {
 // All slaves
 
 void LssFastscan::begin_anew() {
-  silences_ = 0;
+  silences_ = unsent_ = 0;
   confirmed_ = alone_ = false;
   ask_anybody();
 }
@@ -229,6 +231,10 @@ void LssFastscan::give_up_request() {
 }
 
 void LssFastscan::unsent(Time) {
+  // Whether anybody is there is not known if nobody was asked.
+  if (step_ == &LssFastscan::anybody_answered) {
+    return ++unsent_ < unsent_max ? ask_anybody() : finish(Outcome::lost);
+  }
   (this->*step_)({});
 }
 

@@ -53,7 +53,9 @@ class LssFastscan {
   enum class Outcome : std::uint8_t {
     found,
     nobody,  ///< no node takes part, or none with this pattern
-    lost,    ///< a node answered, but its address was not confirmed, or it fell silent
+    /// A node answered, but its address was not confirmed, or it fell silent; or the controller was
+    /// full for so long that nobody could be asked.
+    lost,
   };
   /// What a run found.
   struct Result {
@@ -131,6 +133,7 @@ class LssFastscan {
   std::uint8_t part_ = 0;
   std::uint8_t bit_ = 0;
   std::uint8_t silences_ = 0;
+  std::uint8_t unsent_ = 0;  ///< questions whether any slave is there that were not sent
   std::uint8_t attempts_ = 0;
   std::uint8_t checks_ = 0;
   bool measured_ = false;

@@ -87,7 +87,7 @@ void LssTree::seek() {
 
 void LssTree::anybody_answered(const LssMaster::Reply& reply) {
   if (reply.ok()) return go_down();
-  is_at_root() ? finish(Outcome::nobody) : walk_again();
+  is_at_root() && !is_doubtful_ ? finish(Outcome::nobody) : walk_again();
 }
 
 /// Slaves that match all parts so far go to the requested part.
@@ -158,13 +158,18 @@ void LssTree::ask(Step step, const lss::FastscanRequest& request) {
   ask(step, request, pace_.time_out, pace_.settle);
 }
 
-/// Treats a full controller as if no slave had answered.
+/// Treats a full controller as if no slave had answered: the walk has to be repeated.
 void LssTree::ask(Step step, const lss::FastscanRequest& request, Duration time_out,
                   Duration settle) {
   step_ = step;
   const auto done = LssMaster::Done::to<&LssTree::take_reply>(*this);
   if (master_.fastscan(request, time_out, settle, done)) return;
   node_.timers().arm(retry_, node_.now() + options_.first_time_out);
+}
+
+void LssTree::unsent(Time) {
+  is_doubtful_ = true;
+  (this->*step_)({});
 }
 
 void LssTree::take_reply(const LssMaster::Reply& reply) {

@@ -62,7 +62,7 @@ class LssTree {
 
   void ask(Step step, const lss::FastscanRequest& request, Duration time_out, Duration settle);
   void ask(Step step, const lss::FastscanRequest& request);
-  void unsent(Time) { (this->*step_)({}); }
+  void unsent(Time);
   void take_reply(const LssMaster::Reply& reply);
   void finish(Outcome outcome);
   bool is_at_root() const;
@@ -84,7 +84,7 @@ class LssTree {
   std::uint8_t walks_ = 0;
   std::uint8_t passed_over_ = 0;
   bool zero_answered_ = false;
-  bool is_doubtful_ = false;  ///< an address was passed over in this walk
+  bool is_doubtful_ = false;  ///< in this walk an address was passed over, or a request not sent
   bool walking_ = false;
 };
 
