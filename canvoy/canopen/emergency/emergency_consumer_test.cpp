@@ -27,6 +27,21 @@ constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1028, .ent
                                                           .access = Access::rw,
                                                           .initial = 0x8000'0000}}));
 
+// A data sheet with defaults that 1028h could not be given: 29 bits, and a restricted CAN-ID.
+constexpr auto odd_layout =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1028, .entry_count = 3}}),
+            std::to_array<EntryRow>({{.access = Access::const_, .initial = 2},
+                                     {.sub_first = 1,
+                                      .sub_last = 1,
+                                      .type = DataType::unsigned32,
+                                      .access = Access::rw,
+                                      .initial = 0x2000'0081},
+                                     {.sub_first = 2,
+                                      .sub_last = 2,
+                                      .type = DataType::unsigned32,
+                                      .access = Access::rw,
+                                      .initial = 0x581}}));
+
 constexpr auto layout_without =
     lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1}}),
             std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
@@ -202,6 +217,15 @@ TEST(EmergencyConsumer, RefusesToListenToWhatIsNoNode) {
   EXPECT_FALSE(sut.consumer.listen(128));
   EXPECT_FALSE(sut.consumer.listen(255));
   EXPECT_FALSE(sut.consumer.listen(1, 0x800));
+}
+
+/// CiA 301, 7.3.5: 581h is of SDO; and no node here hears 29 bits.
+TEST(EmergencyConsumer, HearsNothingOnADefaultThatIsNoCanIdForIt) {
+  HearingNode node(odd_layout.tables());
+  node.receive("081#00 10 01 00 00 00 00 00");
+  node.receive("581#00 10 01 00 00 00 00 00");
+  node.receive("00000081#00 10 01 00 00 00 00 00");
+  node.expect_log({});
 }
 
 }  // namespace

@@ -193,6 +193,36 @@ TEST(ConfigurationManager, ADateThatIsRefusedHasFailed) {
   EXPECT_EQ(manager.outcome.written, 1u);
 }
 
+TEST(ConfigurationManager, ATimeThatIsRefusedHasFailed) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.update(6);
+  manager.receive("586#43 20 10 01 E8 03 00 00");
+  manager.receive("586#80 20 10 02 11 00 09 06");
+  EXPECT_EQ(manager.outcome.kind, Kind::failed) << "it cannot be read";
+  EXPECT_EQ(manager.outcome.end, SdoEnd::by_server(AbortCode::no_sub_index));
+  EXPECT_EQ(manager.outcome.sub, 2);
+  manager.update(6);
+  manager.receive("586#43 20 10 01 00 00 00 00");
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.receive("586#60 20 10 01 00 00 00 00");
+  manager.receive("586#80 20 10 02 02 00 01 06");
+  EXPECT_EQ(manager.outcome.kind, Kind::failed) << "it cannot be written";
+  EXPECT_EQ(manager.outcome.end, SdoEnd::by_server(AbortCode::read_only));
+  EXPECT_EQ(manager.outcome.sub, 2);
+}
+
+TEST(ConfigurationManager, ATimeOfDayAloneIsExpectedAsWell) {
+  Manager manager;
+  manager.expect_date(6, 0, 0x1770);
+  manager.update(6);
+  manager.expect({"606#40 20 10 01 00 00 00 00"});
+  manager.receive("586#43 20 10 01 00 00 00 00");
+  manager.expect({"606#40 20 10 02 00 00 00 00"});
+  manager.receive("586#43 20 10 02 70 17 00 00");
+  EXPECT_EQ(manager.outcome.kind, Kind::up_to_date);
+}
+
 TEST(ConfigurationManager, AMalformedConciseDcfIsToBlameItself) {
   Manager manager;
   manager.update(7);
@@ -286,6 +316,86 @@ TEST(ConfigurationManager, InNmtStateStoppedAllSlavesFail) {
   EXPECT_EQ(manager.outcome.end, SdoEnd(AbortCode::device_state)) << "20 could not begin";
 }
 
+/// A concise DCF that is not as it should be, from the second time on that it is opened.
+struct OddDcf : WireNode {
+  OddDcf() : WireNode(layout.tables(), 1) {
+    domain.open_read = decltype(Domain::open_read)::to<&OddDcf::open>(*this);
+    domain.read = decltype(Domain::read)::to<&OddDcf::read>(*this);
+    hook.first = hook.last = 0x1F22;
+    hook.domain = &domain;
+    node.dictionary().attach(hook);
+    sut.on_done(ConfigurationManager::Done::to<&OddDcf::done>(*this));
+    boot();
+  }
+  Result<std::uint32_t> open(const Entry&) { return opened++ == 0 ? size : size_later; }
+  Result<std::size_t> read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
+    if (fails) return AbortCode::hardware;
+    std::copy_n(for_6.begin() + offset, bytes.size(), bytes.begin());
+    return bytes.size() - (is_short ? 1 : 0);
+  }
+  void done(NodeId, const ConfigurationOutcome& result) { outcome = result; }
+  ConfigurationOutcome update() {
+    EXPECT_EQ(sut.update(6), AbortCode::none);
+    settle();
+    expect({});
+    return outcome;
+  }
+
+  SdoServer server{node, 0, {}};
+  Domain domain;
+  Hook hook;
+  ConfigurationManager::Worker workers[1] = {ConfigurationManager::Worker(node)};
+  ConfigurationManager sut{node, workers, 500ms};
+  ConfigurationOutcome outcome;
+  Result<std::uint32_t> size = static_cast<std::uint32_t>(for_6.size());
+  Result<std::uint32_t> size_later = size;
+  int opened = 0;
+  bool fails = false;
+  bool is_short = false;
+};
+
+TEST(ConfigurationManager, AConciseDcfThatCannotBeReadHasFailed) {
+  OddDcf unopened;
+  unopened.size = AbortCode::hardware;
+  EXPECT_EQ(unopened.update().end.abort(), AbortCode::hardware);
+  OddDcf later;
+  later.size_later = AbortCode::hardware;
+  EXPECT_EQ(later.update().end.abort(), AbortCode::hardware);
+  OddDcf unreadable;
+  unreadable.fails = true;
+  EXPECT_EQ(unreadable.update().end.abort(), AbortCode::hardware);
+  OddDcf cut;
+  cut.is_short = true;
+  EXPECT_EQ(cut.update().end.abort(), AbortCode::length_too_low);
+  OddDcf endless;
+  endless.size = Domain::size_unknown;
+  EXPECT_EQ(endless.update().end.abort(), AbortCode::internal_incompatible);
+  for (const OddDcf* each : {&unopened, &later, &unreadable, &cut, &endless}) {
+    EXPECT_EQ(each->outcome.kind, Kind::failed);
+  }
+}
+
+TEST(ConfigurationManager, AConciseDcfWithoutContentIsNone) {
+  OddDcf empty;
+  empty.size = std::uint32_t{0};
+  EXPECT_EQ(empty.update().kind, Kind::nothing_known);
+  OddDcf unopenable;
+  unopenable.domain.open_read = {};
+  EXPECT_EQ(unopenable.update().kind, Kind::nothing_known);
+  OddDcf unreadable;
+  unreadable.domain.read = {};
+  EXPECT_EQ(unreadable.update().kind, Kind::nothing_known);
+  OddDcf nothing;
+  nothing.hook.domain = nullptr;
+  EXPECT_EQ(nothing.update().kind, Kind::nothing_known);
+  // 1F25h: there is nothing to be configured.
+  empty.opened = 0;
+  for (OddDcf* each : {&empty, &nothing}) {
+    each->receive("601#23 25 1F 06 63 6F 6E 66");
+    each->expect({"581#80 25 1F 06 24 00 00 08"});
+  }
+}
+
 // 1F25h: configure request
 
 TEST(ConfigurationRequest, ConfConfiguresASlaveWhateverItsDate) {
@@ -297,6 +407,17 @@ TEST(ConfigurationRequest, ConfConfiguresASlaveWhateverItsDate) {
   manager.receive("586#60 20 10 01 00 00 00 00");
   manager.receive("586#60 20 10 02 00 00 00 00");
   manager.expect({"606#23 20 10 01 E8 03 00 00", "606#23 20 10 02 70 17 00 00"});
+  EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+}
+
+TEST(ConfigurationRequest, ASlaveWithout1020hIsConfiguredAndNotDated) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.receive("601#23 25 1F 06 63 6F 6E 66");
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.sent.clear();
+  manager.receive("586#80 20 10 01 00 00 02 06");
+  manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
 }
 
@@ -415,6 +536,20 @@ TEST(ConfigurationAtBoot, MoreSlavesThanWorkersMayWaitAndNoMoreThanAsManyAgain) 
   }
   EXPECT_EQ(manager.outcomes,
             (std::vector<BootOutcome>{{BootError::configuration, AbortCode::out_of_memory}}));
+}
+
+TEST(ConfigurationAtBoot, AnAbandonedSlaveNoLongerWaitsForAWorker) {
+  BootingManager manager;
+  manager.expect_date(9, 0x3E8, 0x1770);
+  manager.boot_slave(5, manager.clients[0]);
+  manager.boot_slave(6, manager.clients[1]);
+  manager.boot_slave(9, manager.clients[2]);
+  manager.sent.clear();
+  manager.hooks.abandon(9);
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.expect({});
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{6});
+  EXPECT_FALSE(manager.sut.busy(9));
 }
 
 TEST(ConfigurationAtBoot, TakesThePlaceOfWhatIsUnderWayForTheSlave) {

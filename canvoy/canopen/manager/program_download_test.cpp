@@ -279,6 +279,84 @@ TEST_F(ProgramDownloadTest, TheIdentificationIsCompared) {
   expect_end(ProgramStep::identify, AbortCode::none, FlashError::checksum);
 }
 
+TEST_F(ProgramDownloadTest, ANodeWithoutAnIdentificationIsNotCompared) {
+  ProgramPlan plan = image.plan(5);
+  plan.identification = 0xCBF4'3926;
+  begin(plan);
+  up_to_download();
+  send_nine_bytes();
+  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  answer("40 56 1F 01 00 00 00 00", "80 56 1F 01 00 00 02 06");
+  answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
+  expect_end(ProgramStep::done);
+}
+
+TEST_F(ProgramDownloadTest, WhatCannotBeReadOfTheResultEndsIt) {
+  ProgramPlan plan = image.plan(5);
+  plan.identification = 0xCBF4'3926;
+  begin(plan);
+  up_to_download();
+  send_nine_bytes();
+  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  answer("40 56 1F 01 00 00 00 00", "80 56 1F 01 00 00 06 06");
+  expect_end(ProgramStep::identify, SdoEnd::by_server(AbortCode::hardware));
+
+  outcome = {};
+  begin(image.plan(5));
+  answer("2F 51 1F 01 00 00 00 00", "60 51 1F 01 00 00 00 00");
+  answer("2F 51 1F 01 03 00 00 00", "60 51 1F 01 00 00 00 00");
+  answer("40 57 1F 01 00 00 00 00", "80 57 1F 01 00 00 06 06");
+  expect_end(ProgramStep::wait_cleared, SdoEnd::by_server(AbortCode::hardware));
+}
+
+TEST_F(ProgramDownloadTest, WithoutAStartItEndsBehindTheProgramming) {
+  ProgramPlan plan = image.plan(5);
+  plan.start = false;
+  begin(plan);
+  up_to_download();
+  send_nine_bytes();
+  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  expect_end(ProgramStep::done);
+}
+
+TEST_F(ProgramDownloadTest, ANodeThatWasStoppedAndFallsSilentIsGivenUp) {
+  begin(image.plan(5));
+  answer("2F 51 1F 01 00 00 00 00", "60 51 1F 01 00 00 00 00");
+  wire.run_for(1min);
+  wire.expect({"605#2F 51 1F 01 03 00 00 00", "605#80 51 1F 01 00 00 04 05"});
+  expect_end(ProgramStep::clear, SdoEnd::no_answer());
+
+  outcome = {};
+  ProgramPlan dated = image.plan(5);
+  dated.date = {{0x3C98, 0x0012'D687}};
+  begin(dated);
+  up_to_download();
+  wire.run_for(1min);
+  wire.expect({"605#23 52 1F 01 98 3C 00 00", "605#80 52 1F 01 00 00 04 05"});
+  expect_end(ProgramStep::date, SdoEnd::no_answer());
+}
+
+TEST_F(ProgramDownloadTest, CountsTheBytesWhileTheyAreSent) {
+  begin(image.plan(5));
+  up_to_download();
+  answer("21 50 1F 01 09 00 00 00", "60 50 1F 01 00 00 00 00");
+  answer("00 31 32 33 34 35 36 37", "20 00 00 00 00 00 00 00");
+  EXPECT_GE(sut.transferred(), 7U);
+  EXPECT_LE(sut.transferred(), 9U);
+}
+
+TEST_F(ProgramDownloadTest, OneThatIsCancelledBetweenTwoLooksSendsNothingMore) {
+  begin(image.plan(5));
+  answer("2F 51 1F 01 00 00 00 00", "60 51 1F 01 00 00 00 00");
+  answer("2F 51 1F 01 03 00 00 00", "60 51 1F 01 00 00 00 00");
+  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 01 00 00 00");  // busy
+  sut.cancel();
+  wire.run_for(10s);
+  wire.expect({});
+  EXPECT_EQ(outcome.calls, 0);
+  EXPECT_FALSE(sut.busy());
+}
+
 TEST_F(ProgramDownloadTest, OneThatIsCancelledTellsNobody) {
   begin(image.plan(5));
   up_to_download();

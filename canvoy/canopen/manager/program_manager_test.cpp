@@ -72,12 +72,12 @@ class ProgramManagerTest : public testing::Test {
   }
   Result<std::uint32_t> open(NodeId slave) {
     EXPECT_EQ(slave, 5);
-    if (size == 0) return AbortCode::no_data;
+    if (size == 0 && !is_empty) return AbortCode::no_data;
     return size;
   }
   AbortCode read(NodeId, std::uint32_t offset, std::span<std::uint8_t> bytes) {
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>('1' + offset++);
-    return AbortCode::none;
+    return read_answer;
   }
 
   WireNode wire{layout.tables(), 127};
@@ -92,6 +92,8 @@ class ProgramManagerTest : public testing::Test {
   std::vector<ProgramOutcome> updates;
   BootOutcome last{BootError::no_answer, AbortCode::general};
   NodeId abandoned = 0;
+  bool is_empty = false;  ///< there is a program, of no bytes
+  AbortCode read_answer = AbortCode::none;
   bool abandons = false;  ///< in the report of an update
 };
 
@@ -145,6 +147,49 @@ TEST_F(ProgramManagerTest, AnUpdateForWhichThereIsNoProgramEndsWithG) {
   boot();
   answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 02 00 00 00");
   expect_end('G', AbortCode::no_data);
+}
+
+TEST_F(ProgramManagerTest, AnUpdateByAProgramOfNoBytesEndsWithG) {
+  size = 0;
+  is_empty = true;
+  set(0x1F55, 1);
+  boot();
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 02 00 00 00");
+  expect_end('G', AbortCode::no_data);
+}
+
+TEST_F(ProgramManagerTest, AProgramThatCannotBeReadEndsWithI) {
+  read_answer = AbortCode::hardware;
+  set(0x1F55, 1);
+  boot();
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 02 00 00 00");
+  download();
+  answer("21 50 1F 01 09 00 00 00", "60 50 1F 01 00 00 00 00");
+  wire.expect({"605#80 50 1F 01 00 00 06 06"});
+  EXPECT_EQ(ends, 1);
+  EXPECT_EQ(letter(last.error), 'I');
+  EXPECT_EQ(last.end.abort(), AbortCode::hardware);
+}
+
+TEST_F(ProgramManagerTest, ASlaveWhoseClientIsBusyEndsWithG) {
+  set(0x1F55, 1);
+  std::array<std::uint8_t, 4> value{};
+  ASSERT_EQ(client.upload(5, 0x1000, 0, std::span<std::uint8_t>(value), {}), AbortCode::none);
+  wire.sent.clear();
+  boot();
+  expect_end('G', AbortCode::device_state);
+}
+
+TEST_F(ProgramManagerTest, ATimeOfDayAloneIsExpectedAsWell) {
+  set(0x1F54, 0x0012'D687);
+  boot();
+  answer("40 52 1F 02 00 00 00 00", "43 52 1F 02 86 D6 12 00");
+  download();
+  answer("23 52 1F 01 00 00 00 00", "60 52 1F 01 00 00 00 00");
+  answer("23 52 1F 02 87 D6 12 00", "60 52 1F 02 00 00 00 00");
+  send_nine_bytes();
+  answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
+  expect_end('-');
 }
 
 TEST_F(ProgramManagerTest, ASlaveWithAnotherProgramIsUpdatedAndVerified) {
@@ -234,6 +279,14 @@ TEST_F(ProgramManagerTest, ASlaveThatIsAbandonedIsForgottenAndOthersAreTold) {
   wire.expect({});
   boot();
   wire.expect({"605#40 56 1F 01 00 00 00 00"});
+}
+
+TEST_F(ProgramManagerTest, OfASlaveThatIsAbandonedNoOtherOneIsForgotten) {
+  set(0x1F55, 0xCBF4'3926);
+  boot();
+  hooks.abandon(6);
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 26 39 F4 CB");
+  expect_end('-');
 }
 
 TEST_F(ProgramManagerTest, MoreSlavesThanWorkersEndWithI) {

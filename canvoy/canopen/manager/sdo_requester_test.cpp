@@ -327,6 +327,108 @@ TEST(SdoRequester, ADeviceWithout1F10hAsksNobody) {
   wire.expect({});
 }
 
+TEST(SdoRequester, ANodeWithoutANodeIdOrAChannelToTheManagerAsksNobody) {
+  WireNode nameless(detail::requesting_layout.tables(), node_id_unconfigured);
+  SdoRequester unnamed(nameless.node, {});
+  nameless.boot();
+  EXPECT_FALSE(unnamed.available());
+  EXPECT_EQ(unnamed.connect_all({}), AbortCode::no_sdo_connection);
+  nameless.expect({});
+  WireNode wire(detail::requesting_layout.tables(), 5);
+  SdoRequester sut(wire.node, {.manager_client = 3});  // it has 1280h to 1282h
+  wire.boot();
+  EXPECT_FALSE(sut.available());
+  EXPECT_EQ(sut.connect(10, 1, {}), AbortCode::no_sdo_connection);
+  wire.expect({});
+}
+
+TEST(SdoRequester, AsksInNmtStateOperationalAsWell) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.receive("000#01 05");
+  EXPECT_TRUE(device.sut.busy()) << "the state has SDO too";
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.expect({"680#23 00 1F 00 0A 05 81 12", "585#60 10 1F 00 00 00 00 00"});
+  device.receive("681#60 00 1F 00 00 00 00 00");
+  device.give_connection();
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd()});
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.expect({"680#23 00 1F 00 0B 05 82 12"});
+}
+
+TEST(SdoRequester, WhatTheApplicationWritesInto1F10hIsNoAnswer) {
+  Device device;
+  device.register_it();
+  const std::array<std::uint8_t, 4> connected{0x06, 0x00, 0x81, 0x12};
+  EXPECT_EQ(device.node.dictionary().write(0x1F10, 0, connected, Source::application),
+            AbortCode::none);
+  EXPECT_TRUE(device.sut.busy());
+  EXPECT_TRUE(device.answers.empty());
+}
+
+TEST(SdoRequester, ARegistrationIsNoAnswerToARequestForAllOrForAConnection) {
+  Device all;
+  EXPECT_EQ(all.connect_all(), AbortCode::none);
+  all.give_manager_channel();
+  all.receive("605#23 10 1F 00 02 00 80 12");
+  EXPECT_TRUE(all.sut.busy());
+  EXPECT_TRUE(all.answers.empty());
+  Device one;
+  one.register_it();
+  one.receive("605#23 10 1F 00 02 00 81 12");
+  EXPECT_TRUE(one.sut.busy());
+  EXPECT_TRUE(one.answers.empty());
+}
+
+TEST(SdoRequester, RefusesWhileTheManagerHasNotConfirmedTheRequestBefore) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.give_connection();
+  ASSERT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd()});
+  EXPECT_EQ(device.connect(11, 2), AbortCode::no_sdo_connection);
+  EXPECT_FALSE(device.sut.release(1));
+  EXPECT_FALSE(device.sut.leave());
+  EXPECT_FALSE(device.sut.busy());
+  device.expect({});
+  device.receive("681#60 00 1F 00 00 00 00 00");
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.expect({"680#23 00 1F 00 0B 05 82 12"});
+}
+
+TEST(SdoRequester, WhoAsksAgainAtOnceKeepsWhatComesLate) {
+  struct Persistent : Device {
+    void again(SdoEnd end) {
+      answers.push_back(end);
+      if (answers.size() == 1) {
+        EXPECT_EQ(sut.connect(10, 1, SdoRequester::Done::to<&Persistent::again>(*this)),
+                  AbortCode::none);
+      }
+    }
+  } device;
+  ASSERT_EQ(device.sut.connect(10, 1, SdoRequester::Done::to<&Persistent::again>(device)),
+            AbortCode::none);
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.receive("681#60 00 1F 00 00 00 00 00");
+  device.sent.clear();
+  device.run_for(500ms);
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::no_answer()});
+  device.expect({"@500000 680#23 00 1F 00 0A 05 81 12"});  // and no release behind it
+}
+
+TEST(SdoRequester, NmtStateStoppedEndsAReleaseWithoutAnAnswer) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_TRUE(device.sut.release(1));
+  device.receive("000#02 05");
+  EXPECT_FALSE(device.sut.busy());
+  EXPECT_EQ(device.answers.size(), 1u) << "that of connect()";
+}
+
 TEST(SdoRequester, NmtStateStoppedAndResetsEndARequest) {
   for (const char* command : {"000#02 05", "000#81 05", "000#82 05"}) {
     Device device;

@@ -28,6 +28,19 @@ TEST(Tpdo, ThatFindsNoRoomIsSentLaterWithTheValuesOfThen) {
   EXPECT_EQ(node.sent.size(), 10U);
 }
 
+TEST(Tpdo, OfANodeWithoutABacklogIsSentWhenTheControllerHasRoomAgain) {
+  PdoNode node(Tpdos::AtStart::wait_for_event, true, 0);
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.operate();
+  node.full = true;
+  node.set(0x2000, 1, 1);
+  node.set(0x2000, 1, 2);
+  node.expect({});
+  node.full = false;
+  node.node.tx_ready(node.now);
+  node.expect({"185#02"});
+}
+
 TEST(Tpdo, OfWhichBusOffTookTheFrameIsSentAfterIt) {
   PdoNode node;
   node.map_tpdo(1, 0x185, 255, {0x2000'01'08});

@@ -72,6 +72,20 @@ TEST_F(RemoteIndications, AreNotBegunWhereTheyCannotBe) {
   client.expect({"60A#E0 02 00 07 00 00 00 00"});
 }
 
+TEST_F(RemoteIndications, AreNotBegunWhereTheirMessageWouldBeLost) {
+  client.fill();
+  EXPECT_EQ(begin(), AbortCode::device_state);
+  EXPECT_FALSE(indication.busy());
+  client.run_for(1s);
+  expect_outcomes({});
+}
+
+TEST_F(RemoteIndications, MayBeCancelledWhereNoneIsUnderWay) {
+  indication.cancel();
+  EXPECT_FALSE(indication.busy());
+  EXPECT_EQ(begin(), AbortCode::none);
+}
+
 TEST_F(RemoteIndications, TellNobodyWhenTheyAreCancelled) {
   begin();
   indication.cancel();

@@ -157,8 +157,9 @@ class PdoNode : public WireNode {
  public:
   static constexpr std::size_t pdo_count = 4;
 
-  explicit PdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, bool boots = true)
-      : WireNode(pdo_tables, 5),
+  explicit PdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, bool boots = true,
+                   std::size_t backlog_size = 16)
+      : WireNode(pdo_tables, 5, false, backlog_size),
         sync(node),
         rpdos(node, rpdo_memory_, rpdo_values_, &sync),
         tpdos(node, tpdo_memory_, tpdo_values_, &sync, at_start) {

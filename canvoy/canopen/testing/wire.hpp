@@ -77,8 +77,9 @@ struct WireMemory {
 /// A node of which the test is the bus. The test constructs services on `node`.
 class WireNode : private WireMemory {
  public:
-  WireNode(const DictionaryTables& tables, NodeId id, bool autostart = false)
-      : WireMemory(tables),
+  WireNode(const DictionaryTables& tables, NodeId id, bool autostart = false,
+           std::size_t backlog_size = 16)
+      : WireMemory(tables, backlog_size),
         tables_(tables),
         node(tables_, spans(), {this, &WireNode::take, nullptr}, id, autostart) {}
 
@@ -115,6 +116,11 @@ class WireNode : private WireMemory {
     now = until;
   }
   void run_for(Duration duration) { run_until(now + duration); }
+  /// From now on the controller takes nothing, and so many frames wait that the next is lost.
+  void fill() {
+    full = true;
+    while (!node.transmitter().full()) node.transmitter().send(wire_frame("77F#00"));
+  }
 
   /// Compares the frames sent since the last expect(), in their order and without any other.
   /// Notation of wire_frame(); times where the test needs them: "@200000 705#05".
