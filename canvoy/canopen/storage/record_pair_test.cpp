@@ -68,6 +68,31 @@ TEST_F(RecordPairTest, AContentOfAnyLengthThatFitsIsKept) {
   EXPECT_EQ(memory.violations, 0U);
 }
 
+/// Whichever read fails: what is there is not taken for nothing or for something else.
+TEST_F(RecordPairTest, AReadThatFailsOnceIsToldAndLeavesTheOldContentOrTheNewOne) {
+  const Bytes old{1, 2, 3};
+  const Bytes latest(40, 9);
+  write(Bytes{7});
+  write(old);
+  const Bytes kept = memory.bytes;
+  unsigned tried = 0;
+  for (bool is_reached = true; is_reached; ++tried) {
+    memory.bytes = kept;
+    memory.fail_read_at = tried + 1;
+    RecordPair sut(memory.flash, place);
+    const RecordState state = sut.find();
+    const bool was_unreadable = memory.fail_read_at == 0;
+    EXPECT_EQ(state, was_unreadable ? RecordState::unreadable : RecordState::valid) << tried;
+    Content content(latest);
+    const AbortCode outcome = write(sut, content.source());
+    is_reached = memory.fail_read_at == 0;
+    memory.fail_read_at = 0;
+    const Bytes present = found();
+    EXPECT_TRUE(present == latest || (outcome != AbortCode::none && present == old)) << tried;
+  }
+  EXPECT_GT(tried, 6u);
+}
+
 TEST_F(RecordPairTest, AContentThatIsTooLongIsRefusedAndTheOldOneStays) {
   write(Bytes{1, 2, 3});
   for (std::size_t length = 97; length <= 130; ++length) {

@@ -68,7 +68,8 @@ bool Storage::usable() const {
          (state_ == RecordState::outdated && settings_.keep_what_fits);
 }
 
-/// All of the set is checked before its first value is used.
+/// All of the set is checked before its first value is used. If the flash fails to answer
+/// afterwards, defaults apply again: a part of a set is none.
 RecordState Storage::load(ResetScope scope) {
   StoredHead head;
   StoredWalk check(record_);
@@ -76,11 +77,18 @@ RecordState Storage::load(ResetScope scope) {
     if (!settings_.keep_what_fits && !fits(head, node_.dictionary())) return RecordState::damaged;
   }
   if (!check.is_whole()) return RecordState::damaged;
-  for (StoredWalk walk(record_); walk.next(head);) {
-    if (!is_reached(head.index, scope) || !fits(head, node_.dictionary())) continue;
-    if (!take(head, walk.value())) return RecordState::unreadable;
+  StoredWalk walk(record_);
+  bool is_read = true;
+  while (is_read && walk.next(head)) {
+    const bool is_used = is_reached(head.index, scope) && fits(head, node_.dictionary());
+    is_read = !is_used || take(head, walk.value());
   }
-  return RecordState::valid;
+  if (is_read && walk.is_whole()) return RecordState::valid;
+  const bool all = scope == ResetScope::node;
+  node_.dictionary().restore_defaults(all ? 0x0000 : object_index::communication_first,
+                                      all ? 0xFFFF : object_index::communication_last, node_.id());
+  former_(scope);
+  return RecordState::unreadable;
 }
 
 /// Numbers pass the checks of their range; strings are read into their entry.

@@ -56,6 +56,43 @@ class StorageRefusal : public testing::Test {
   StoringNode::Parameters stored;
 };
 
+/// Never a part of them.
+TEST_F(StorageRefusal, WhicheverReadFailsTheValuesAreThoseStoredOrDefaults) {
+  for (unsigned tried = 1;; ++tried) {
+    memory.fail_read_at = tried;
+    StoringNode sut(memory);
+    if (std::exchange(memory.fail_read_at, 0) != 0) {
+      EXPECT_EQ(sut.parameters(), stored);
+      EXPECT_GT(tried, 10u);
+      break;
+    }
+    EXPECT_NE(sut.storage.state(), RecordState::valid) << tried;
+    EXPECT_EQ(sut.parameters(), defaults) << tried;
+  }
+}
+
+/// Groups that are not stored now are copied from the old set.
+TEST_F(StorageRefusal, WhicheverReadFailsASaveKeepsTheOldSetOrMakesAWholeNewOne) {
+  const SimulatedFlash::Bytes kept = memory.bytes;
+  for (unsigned tried = 1;; ++tried) {
+    memory.bytes = kept;
+    StoringNode before(memory);
+    before.booted();
+    before.set_all(2);
+    memory.fail_read_at = tried;
+    before.receive("605#23 10 10 04 73 61 76 65");  // 2000h to 20FFh
+    before.run_for(1s);
+    const bool is_over = std::exchange(memory.fail_read_at, 0) != 0;
+    StoringNode sut(memory);
+    EXPECT_EQ(sut.storage.state(), RecordState::valid) << tried;
+    StoringNode::Parameters saved = stored;
+    saved[0] = "set 2";  // 2010h
+    saved[3] = "2";      // 2000h
+    EXPECT_TRUE(sut.parameters() == saved || (!is_over && sut.parameters() == stored)) << tried;
+    if (is_over) break;
+  }
+}
+
 TEST_F(StorageRefusal, EachBitOfTheContentCounts) {
   const std::uint32_t length = head_word(3);
   for (std::uint32_t bit = 0; bit < 8 * length; ++bit) {

@@ -65,7 +65,8 @@ class SimulatedFlash {
   unsigned fail_program = 0;  ///< the n-th programming from here on fails; 0: none
   unsigned fail_sync = 0;     ///< the n-th sync from here on fails; 0: none
   bool fail_read = false;
-  bool stuck_bit = false;  ///< bit 0 of each byte stays set when programmed
+  unsigned fail_read_at = 0;  ///< the n-th read from here on fails; 0: none
+  bool stuck_bit = false;     ///< bit 0 of each byte stays set when programmed
 
  private:
   /// Counts a step; false if power has failed.
@@ -112,6 +113,7 @@ class SimulatedFlash {
   bool read(std::uint32_t address, std::span<std::uint8_t> data) {
     if (polls_ != 0) ++violations;
     if (fail_read || polls_ != 0) return false;
+    if (fail_read_at != 0 && --fail_read_at == 0) return false;
     for (std::size_t i = 0; i < data.size(); ++i) data[i] = bytes.at(address + i);
     return true;
   }
