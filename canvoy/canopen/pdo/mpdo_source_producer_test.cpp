@@ -52,6 +52,27 @@ TEST(SamProducer, SendsTheSubIndicesOfABlock) {
                "185#05 00 20 07 01 00 00 00"});
 }
 
+/// Half of a backlog of 16 is for other services.
+TEST(SamProducer, WhatFindsNoRoomIsSentLaterWithTheValuesOfThen) {
+  MpdoNode node;
+  node.fill_list(0x1FA0, {0x10'2000'01});
+  node.use_tpdo(1, 0x185, source);
+  node.operate();
+  node.full = true;
+  for (std::uint8_t sub = 1; sub <= 12; ++sub) {
+    ASSERT_TRUE(node.node.dictionary().set_number(0x2000, sub, 1));
+  }
+  node.settle();
+  node.node.advance(node.now);
+  node.set(0x2000, 12, 2);
+  node.expect({});
+  node.full = false;
+  node.node.tx_ready(node.now);
+  ASSERT_EQ(node.sent.size(), 12u);
+  EXPECT_EQ(wire_text(node.sent[0].frame), "185#05 00 20 01 01 00 00 00");
+  EXPECT_EQ(wire_text(node.sent[11].frame), "185#05 00 20 0C 02 00 00 00");
+}
+
 TEST(SamProducer, LeavesOutWhatABlockNamesAndNobodyHas) {
   MpdoNode node;
   node.fill_list(0x1FA0, {0xFF'2090'01});

@@ -41,6 +41,27 @@ TEST(Tpdo, TheInhibitTimeBeginsAnewWithEachTransmission) {
                "@40000 185#28 00", "@50000 185#2D 00"});
 }
 
+/// More values change at once than are kept one by one: each TPDO is looked at.
+TEST(Tpdo, OfManyChangesWithinTheInhibitTimeIsSentOnceWhenItIsOver) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1800, 3, 100), none);
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.map_tpdo(2, 0x285, 255, {0x2000'02'08});
+  node.operate();
+  node.set(0x2000, 1, 1);
+  node.set(0x2000, 1, 2);
+  node.expect({"@0 185#01"});
+  node.node.advance(node.now);
+  for (std::uint8_t sub = 1; sub <= 16; ++sub) {
+    ASSERT_TRUE(node.node.dictionary().set_number(0x2000, sub, 3));
+  }
+  node.settle();
+  node.node.advance(node.now);
+  node.expect({"@0 285#03"});
+  node.run_until(Time(1s));
+  node.expect({"@10000 185#03"});
+}
+
 TEST(Tpdo, AnEventWithinTheInhibitTimeIsSentThoughTheChangeWasTakenBack) {
   PdoNode node;
   ASSERT_EQ(node.write(0x1800, 3, 100), none);

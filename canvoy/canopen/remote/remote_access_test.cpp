@@ -392,6 +392,45 @@ TEST_F(RemoteEmergency, IsNotToldByANodeThatIsStopped) {
   EXPECT_EQ(access.counters().emergencies_lost, 1u);
 }
 
+TEST_F(RemoteEmergency, IsToldAndSdoPassedOnInNmtStateOperationalAsWell) {
+  host.receive("000#01 05");
+  from_behind("087#10 70 81 00 00 00 00 00");
+  host.expect({"6C7#10 70 81 02 07 00 00 00"});
+  expect_works();
+}
+
+TEST_F(RemoteSdo, FramesOfOtherKindsAreNotForDevicesBehind) {
+  from_host("605#R8");
+  from_host("00000605#E0 02 00 07 00 00 00 00");
+  host.expect({});
+  expect_works();
+  from_behind("00000087#10 70 81 00 00 00 00 00");
+  from_behind("087#R8");
+  host.expect({});
+}
+
+TEST(RemoteNode, WithoutANodeIdOrACobIdForEmergenciesSaysNothing) {
+  std::vector<std::string> behind;
+  const auto take = [](void* context, const Frame& frame) {
+    static_cast<std::vector<std::string>*>(context)->push_back(wire_text(frame));
+    return true;
+  };
+  for (const NodeId id : {NodeId{5}, node_id_unconfigured}) {
+    WireNode host(sdo_objects(), id);
+    std::array<RemoteChannel, 2> channels;
+    RemoteAccess access{host.node, {&behind, take, nullptr}, channels, {.network = 2}};
+    host.boot();
+    access.receive_embedded(wire_frame("087#10 70 81 00 00 00 00 00"), host.now);
+    if (id == node_id_unconfigured) {
+      access.receive(wire_frame("67F#E0 02 00 07 00 00 00 00"), host.now);
+      access.receive(wire_frame("600#E0 02 00 07 00 00 00 00"), host.now);
+    }
+    host.run_for(1s);
+    host.expect({});
+  }
+  EXPECT_TRUE(behind.empty());
+}
+
 // With whole clients and servers.
 
 /// A client on the host's bus, the node, and a device behind it: frames arrive at once.

@@ -133,5 +133,78 @@ TEST_F(LargeValueAtTheWire, FourBytesComeAndGoWithoutSegments) {
   ask("40 33 20 00 00 00 00 00", "43 33 20 00 01 02 03 04");
 }
 
+TEST_F(LargeValueAtTheWire, WhatIsLongerThanTheMemoryIsNotSet) {
+  EXPECT_TRUE(sut_.set(pattern(20)));
+  EXPECT_FALSE(sut_.set(pattern(21)));
+  EXPECT_EQ(sut_.value().size(), 20u);
+  EXPECT_TRUE(sut_.set({}));
+  EXPECT_TRUE(sut_.value().empty());
+}
+
+/// CiA 301, 7.2.4.3.17: 0800 0022h, because of the present device state.
+TEST_F(LargeValueAtTheWire, IsOfOneClientAtATime) {
+  std::array<std::uint8_t, 32> buffer{};
+  SdoServer second(node_.node, 1, buffer);
+  node_.boot();
+  ask("23 01 12 01 80 06 00 00", "60 01 12 01 00 00 00 00");
+  ask("23 01 12 02 81 06 00 00", "60 01 12 02 00 00 00 00");
+  ask("21 33 20 00 09 00 00 00", "60 33 20 00 00 00 00 00");
+  node_.receive("680#21 33 20 00 09 00 00 00");
+  node_.expect({"681#80 33 20 00 22 00 00 08"});
+  ask("00 01 02 03 04 05 06 07", "20 00 00 00 00 00 00 00");
+  ask("1B 08 09 00 00 00 00 00", "30 00 00 00 00 00 00 00");
+  EXPECT_EQ(sut_.value().size(), 9u);
+}
+
+/// A domain whose memory is not as it should be.
+class OddMemory : public ::testing::Test {
+ protected:
+  OddMemory() {
+    domain_.view = decltype(Domain::view)::to<&OddMemory::view>(*this);
+    domain_.room = decltype(Domain::room)::to<&OddMemory::room>(*this);
+    domain_.write = decltype(Domain::write)::to<&OddMemory::write>(*this);
+    domain_.close_write = decltype(Domain::close_write)::to<&OddMemory::close>(*this);
+    hook_.first = hook_.last = 0x2033;
+    hook_.domain = &domain_;
+    node_.node.dictionary().attach(hook_);
+    node_.boot();
+  }
+  Result<std::span<const std::uint8_t>> view(const Entry&) { return AbortCode::hardware; }
+  Result<std::span<std::uint8_t>> room(const Entry&, std::uint32_t) { return memory_; }
+  AbortCode write(const Entry&, std::span<const std::uint8_t>) {
+    return AbortCode::parameter_incompatible;
+  }
+  AbortCode close(const Entry&, bool complete) {
+    closed_.push_back(complete);
+    return AbortCode::none;
+  }
+  void ask(const std::string& request, const std::string& answer) {
+    node_.receive("605#" + request);
+    node_.expect({"585#" + answer});
+  }
+
+  WireNode node_{sdo_objects(), 5};
+  std::array<std::uint8_t, 32> buffer_{};
+  SdoServer server_{node_.node, 0, buffer_};
+  std::array<std::uint8_t, 8> place_{};
+  std::span<std::uint8_t> memory_ = place_;
+  Domain domain_;
+  Hook hook_;
+  std::vector<bool> closed_;
+};
+
+TEST_F(OddMemory, ThatCannotBeReadIsAborted) {
+  ask("40 33 20 00 00 00 00 00", "80 33 20 00 00 00 06 06");
+}
+
+TEST_F(OddMemory, ThatIsSmallerThanWhatIsAnnouncedIsAborted) {
+  ask("21 33 20 00 09 00 00 00", "80 33 20 00 05 00 04 05");
+}
+
+TEST_F(OddMemory, WhoseOwnerRefusesTheValueIsClosedWithoutIt) {
+  ask("23 33 20 00 01 02 03 04", "80 33 20 00 43 00 04 06");
+  EXPECT_EQ(closed_, std::vector<bool>{false});
+}
+
 }  // namespace
 }  // namespace canvoy::large_value_test

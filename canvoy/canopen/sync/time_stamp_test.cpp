@@ -21,6 +21,15 @@ constexpr auto layout_consumer =
             std::to_array<EntryRow>(
                 {{.type = DataType::unsigned32, .access = Access::rw, .initial = 0x8000'0100}}));
 
+constexpr auto layout_of_29_bits =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1012, .entry_count = 1}}),
+            std::to_array<EntryRow>(
+                {{.type = DataType::unsigned32, .access = Access::rw, .initial = 0xE000'0100}}));
+constexpr auto layout_restricted =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1012, .entry_count = 1}}),
+            std::to_array<EntryRow>(
+                {{.type = DataType::unsigned32, .access = Access::rw, .initial = 0xC000'0581}}));
+
 constexpr std::uint32_t consume = 0x8000'0000;
 constexpr std::uint32_t produce = 0x4000'0000;
 
@@ -288,6 +297,21 @@ TEST(TimeProducer, ReadsItsClockAnewWhenTheControllerHasRoomAgain) {
   node.expect({});
 }
 
+TEST(TimeProducer, WaitsUntilAllThatCameBeforeIsOnTheBus) {
+  TimeNode node;
+  node.make_producer();
+  node.full = true;
+  node.node.transmitter().send(wire_frame("123#"));
+  node.node.transmitter().send(wire_frame("124#"));
+  EXPECT_TRUE(node.send());
+  node.on_sent = [&node](const Frame&) { node.full = true; };  // room for one frame at a time
+  for (const char* frame : {"123#", "124#", "100#00 2E 93 02 31 3D"}) {
+    node.full = false;
+    node.node.tx_ready(node.now);
+    node.expect({frame});
+  }
+}
+
 TEST(TimeProducer, ForgetsWhatWaitsWhenItMayNoLongerSend) {
   for (const bool by_state : {false, true}) {
     TimeNode node;
@@ -350,6 +374,19 @@ TEST(TimeCobId, IsRefusedWith29Bits) {
   TimeNode node;
   for (unsigned bit = 11; bit <= 29; ++bit) {
     EXPECT_EQ(node.write(0x100U | 1U << bit), value_range) << bit;
+  }
+}
+
+/// A data sheet may say what 1012h would refuse (CiA 301, 7.3.5: 581h is of SDO).
+TEST(TimeCobId, OfADefaultThatIsRestrictedOrHas29BitsIsNotUsed) {
+  for (const DictionaryTables& tables : {layout_of_29_bits.tables(), layout_restricted.tables()}) {
+    TimeNode node(tables);
+    node.receive(time_frame(noon_bytes));
+    node.receive(std::string("581#") + noon_bytes);
+    EXPECT_EQ(node.take(), Texts());
+    node.set_noon();
+    EXPECT_FALSE(node.send());
+    node.expect({});
   }
 }
 
