@@ -39,6 +39,10 @@ class BusTable {
     room.heard = ++heard_;
     return *room.bus;
   }
+  /// Calls `take` with the name and the state of each bus that is kept.
+  void for_each(const auto& take) {
+    for (Room& room : rooms_) take(std::string_view(room.name), *room.bus);
+  }
   /// Number of buses that are kept.
   std::size_t max() const { return max_; }
   /// Number of times that a bus was dropped to make room for another.

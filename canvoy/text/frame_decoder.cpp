@@ -177,6 +177,7 @@ void FrameDecoder::decode_other(const Frame& frame, const Decoded& decoded) {
   }
   if (is_flying_master(frame.id)) return say(flying_master_text(frame));
   if (words_.node != 0 && frame.id < can_id::time) return decode_emergency(frame);
+  words_.is_unknown_pdo = frame.id >= can_id::tpdo1 && frame.id < can_id::sdo_response;
   say(bytes_text(frame.payload()));
 }
 

@@ -83,7 +83,9 @@ struct FrameWords {
   bool is_answer = false;      ///< of SDO: from the server
   bool is_middle = false;      ///< of an SDO transfer that continues
   bool is_end = false;         ///< of an SDO transfer that FrameDecoder::transfer_text() describes
-  std::string_view news = {};  ///< what this frame reveals about a node
+  bool is_unknown_pdo =
+      false;  ///< a CAN-ID of PDOs (180h to 57Fh), and nothing says what it carries
+  std::string_view news = {};                          ///< what this frame reveals about a node
   std::span<const decoder::DecodedValue> values = {};  ///< values of objects
   /// For SDO: the entry, without a value; null: unknown, since its start was not heard.
   const decoder::DecodedValue* about = nullptr;

@@ -42,6 +42,12 @@ class CommandTest(unittest.TestCase):
         self.assertEqual((result.stderr, result.returncode), ("", DONE))
         return result.stdout
 
+    def assert_decoded(self, result):
+        """Exit status 0, and no complaint but that nodes have told no profile."""
+        self.assertRegex(result.stderr, r"\A([^\n]+ told (its|their) profile \(1000h\)[^\n]+\n)+\Z")
+        self.assertEqual(result.returncode, DONE)
+        return result.stdout
+
     def worlds(self):
         """The worlds that the help of `run` lists below its subcommands."""
         listed = self.assert_done(run("run", "--help")).partition("Subcommands:")[2].partition("\n\n")[0]

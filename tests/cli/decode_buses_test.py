@@ -107,13 +107,14 @@ class DecodeBusesTest(CommandTest):
             (["--node", "can1:10=401", "--node", "10=419"], [0, 2]),
             (["--profile", "can1=401", "--profile", "419"], [0, 2]),
         ]:
-            lines = self.lines(frames, *arguments)
+            lines = run("decode", self.log(frames), *arguments).stdout.splitlines()
             self.assertEqual([i for i, line in enumerate(lines) if "charger_status" in line], named, arguments)
 
     def test_takes_the_data_sheet_of_a_node_of_one_bus(self):
         sheet = self.log("") + ".eds"
         self.assert_done(run("eds", "export", "battery", "--out", sheet))
-        lines = self.lines("(1.0) can0 18A#A00001\n(1.0) can1 18A#A00001\n", "--eds", f"can1:10={sheet}")
+        log = self.log("(1.0) can0 18A#A00001\n(1.0) can1 18A#A00001\n")
+        lines = self.assert_decoded(run("decode", log, "--eds", f"can1:10={sheet}")).splitlines()
         self.assertNotIn("temperature", lines[0])
         self.assertIn("temperature = 20.000 °C", lines[1])
 
@@ -152,7 +153,7 @@ class DecodeBusesTest(CommandTest):
         log = self.log("")
         arguments = ["--lifts", "2", "--floors", "6", "--for", "5min", "--seed", "4"]
         self.assert_done(run("run", "lift", *arguments, "--log", log))
-        lines = self.assert_done(run("decode", log)).splitlines()
+        lines = self.assert_decoded(run("decode", log)).splitlines()
         self.assertGreater(len(lines), 1000)
         self.assertEqual({line.split()[1] for line in lines}, {"lift1", "lift2", "group"})
         self.assertEqual([line for line in lines if "[!]" in line], [])

@@ -77,7 +77,7 @@ class DecodeFilterTest(CommandTest):
         self.assertEqual([json.loads(line)["values"][0]["value"] for line in lines], [40.125, 41.0])
         out = str(self.log) + ".asc"
         self.assert_done(run("decode", str(self.log), "--out", out, "--filter", "temperature>40"))
-        self.assertEqual(len(self.assert_done(run("decode", out)).splitlines()), 2)
+        self.assertEqual(len(self.assert_decoded(run("decode", out)).splitlines()), 2)
 
     def test_knows_the_names_of_a_data_sheet(self):
         sheet = str(self.log) + ".eds"

@@ -72,8 +72,8 @@ class FirstLines(CommandTest):
         self.assert_refused(run("decode", "a.log", "b.log"), USAGE, "one log at a time")
 
     def test_frames_of_can_fd_are_shown_raw(self):
-        self.assertIn("185##1AABB            CAN FD", self.assert_done(run("decode", self.path("a.log"))))
-        last = self.assert_done(run("decode", self.path("a.log"), "--json")).splitlines()[-1]
+        self.assertIn("185##1AABB            CAN FD", self.assert_decoded(run("decode", self.path("a.log"))))
+        last = self.assert_decoded(run("decode", self.path("a.log"), "--json")).splitlines()[-1]
         self.assertEqual(json.loads(last)["service"], "CAN FD")
 
     def test_values_are_a_table(self):
@@ -217,8 +217,8 @@ class FirstLines(CommandTest):
         log = self.path("a.log")
         for option, name in (("--json", "out.jsonl"), ("--csv", "out.csv")):
             out = self.folder / name
-            self.assertEqual(self.assert_done(run("decode", log, option, "--out", str(out))), "")
-            self.assertEqual(out.read_text(), self.assert_done(run("decode", log, option)))
+            self.assertEqual(self.assert_decoded(run("decode", log, option, "--out", str(out))), "")
+            self.assertEqual(out.read_text(), self.assert_decoded(run("decode", log, option)))
         self.assert_refused(run("decode", log, "--json", "--out", log), USAGE, "a.log is a log: leave one of them out")
         self.assertEqual(pathlib.Path(log).read_text(), LOG)
 

@@ -448,6 +448,19 @@ test("a log opens with what matters: who is silent, what could not be read, its 
   });
 });
 
+test("a log whose nodes never told their profile says so, and which would explain it", async () => {
+  const log = join(folder, "lift.log");
+  run("run", "lift", "--for", "2min", "--log", log);
+  const told = "No node has told its profile (1000h): PDOs are not decoded; they look like CiA 417-4: --profile 417-4.";
+  await shown(["view", log], async (page) => {
+    await page.getByRole("alert").getByText(told, { exact: true }).waitFor();
+  });
+  await shown(["view", log, "--profile", "417-4"], async (page) => {
+    await page.locator(".main-values dd").first().waitFor();
+    assert.equal(await page.getByText("has told its profile").count(), 0);
+  });
+});
+
 test("a value of a log is drawn from the log's beginning, though it is pinned at the end", async () => {
   await shown(["view", minute_log(), "--node", "10=418"], async (page, server) => {
     await page.locator(".main-values dd", { hasText: "21.000 °C" }).first().waitFor();

@@ -22,7 +22,8 @@ const std::string_view api_schemas = R"({
    "kind": {
     "enum": ["lift", "charger", "taxi", "police", "bus-line", "excavator", "charging-yard", "bus", "log"]
    },
-   "command": {"type": "string"},
+   "source": {"type": "string", "description": "the log or the bus"},
+   "command": {"type": "string", "description": "shows the same once more"},
    "buses": {"type": "array", "items": {"type": "string"}},
    "end": {"type": "number", "description": "seconds"},
    "unreadable": {"type": "integer", "description": "lines or blocks of a log"},

@@ -77,6 +77,10 @@ class FrameFeed {
   const ValueHistory& history(std::string_view bus, NodeId node, std::uint16_t index,
                               std::uint8_t sub) const;
   const BusCounts& counts(std::size_t bus) const { return counts_[bus]; }
+  /// As FramePrinter::unknown_pdos(), of all frames that were added.
+  std::vector<std::string> unknown_pdos(text::UnknownPdosWords words) {
+    return printer_->unknown_pdos(words);
+  }
   /// The profile of a node, as far as known; CiA 301 if nothing is.
   const Profile& profile(std::string_view bus, NodeId node);
 

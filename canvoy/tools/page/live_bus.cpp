@@ -64,7 +64,8 @@ void LiveBus::hear(const host::BusFrame& heard) {
 LiveSource::Json LiveBus::description() {
   return {{"kind", "bus"},
           {"time_is", "clock"},
-          {"command", fmt::format("canvoy view {}", bus_->name())},
+          {"source", bus_->name()},
+          {"command", feed_.options().view_line(std::string(bus_->name()))},
           {"buses", Json::array({std::string(bus_->name())})},
           {"can",
            {{"play", false},
@@ -117,6 +118,7 @@ LiveSource::Json LiveBus::state() {
             {"frames_lost", bus_->counters().carrier.overrun},
             {"clock_ahead_s", std::round(in_seconds(clock - now))},
             {"frames_per_second", frames_per_second_},
+            {"unknown_pdos", feed_.unknown_pdos({.is_counted = false})},
             {"nodes", nodes_.nodes_json(now)}}},
           {"record", recorder().json()}};
 }

@@ -91,7 +91,8 @@ void LiveLog::begin_again() {
 LiveSource::Json LiveLog::description() {
   return {{"kind", "log"},
           {"time_is", "log"},
-          {"command", fmt::format("canvoy view {}", path_)},
+          {"source", path_},
+          {"command", feed_.options().view_line(path_)},
           {"begin", in_seconds(begin() - Time{})},
           {"end", in_seconds(playback_->end() - Time{})},
           {"frames", frames_.size()},
@@ -172,6 +173,7 @@ LiveSource::Json LiveLog::state() {
             {"over", playback_->is_over()}}},
           {"snapshot",
            {{"frames_per_second", last_second_},
+            {"unknown_pdos", feed_.unknown_pdos({.is_counted = false})},
             {"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}}};
 }
 

@@ -45,6 +45,12 @@ std::uint64_t count_in(const Json& from, const char* key) {
   return from.value(key, std::uint64_t{0});
 }
 
+/// A line of the terminal; one that begins with the name of a bus keeps it.
+std::string as_sentence(std::string line) {
+  if (line.starts_with("no ")) line.front() = 'N';
+  return line + '.';
+}
+
 /// Sentences of what this report does not have, since it was not read or not heard.
 Json gaps_of(const Json& about, const Json& last) {
   const Json snapshot = last.value("snapshot", Json::object());
@@ -118,6 +124,9 @@ class ReportMaker {
     last["counts"] = source_.counts();
     Json nodes = last["snapshot"].value("nodes", Json::array());
     Json gaps = gaps_of(about_, last);
+    for (std::string line : source_.feed().unknown_pdos({})) {
+      gaps.push_back(as_sentence(std::move(line)));
+    }
     last.erase("snapshot");
     return {{"about", about_},    {"pictures", pictures_}, {"end", last},
             {"nodes", nodes},     {"events", events()},    {"events_left_out", left_out_},

@@ -69,11 +69,10 @@ std::string title_of(const Json& about) {
     if (name == kind) return std::string(title);
   }
   // A bus and a log are known by their names.
-  constexpr std::string_view looks = "canvoy view ";
-  std::string command = text_at(about, "command");
-  if (!command.starts_with(looks)) return kind;
-  const std::size_t folder = kind == "log" ? command.rfind('/') : std::string::npos;
-  return command.substr(folder == std::string::npos ? looks.size() : folder + 1);
+  const std::string source = text_at(about, "source");
+  if (source.empty()) return kind;
+  const std::size_t folder = kind == "log" ? source.rfind('/') : std::string::npos;
+  return source.substr(folder == std::string::npos ? 0 : folder + 1);
 }
 
 void begin_card(std::string& page, std::string_view title) {

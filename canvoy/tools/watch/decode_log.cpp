@@ -52,6 +52,14 @@ void show_without_match(const LogOptions& options, const FramePrinter& printer) 
   if (!without_match.empty()) print_message(fmt::format("{}: {}", options.log, without_match));
 }
 
+void show_unknown_pdos(const LogOptions& options, FramePrinter& printer) {
+  const bool has_values_only = options.printer.csv || !options.parquet.empty();
+  const char* const fate = has_values_only ? "left out" : "shown as bytes";
+  for (const std::string& line : printer.unknown_pdos({.fate = fate})) {
+    print_message(fmt::format("{}: {}", options.log, line));
+  }
+}
+
 void refuse_log_itself(const LogOptions& options) {
   if (!is_log_itself(options.log, options.out)) return;
   throw UsageError(fmt::format("'{}' is the log itself", options.out));
@@ -137,7 +145,7 @@ class Output {
     if (log_) log_->finish();
     if (table_) table_->finish();
   }
-  const FramePrinter& printer() const { return printer_; }
+  FramePrinter& printer() { return printer_; }
 
  private:
   bool add_values(const formats::TraceFrame& heard) {
@@ -198,6 +206,7 @@ int decode_into(const LogOptions& options) {
   show_left_out(options, trace);
   show_buses(options, output.printer());
   show_without_match(options, output.printer());
+  show_unknown_pdos(options, output.printer());
   refuse_log_without_frames(options.log, trace);
   output.finish();
   return exit_done;

@@ -18,6 +18,7 @@
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/argument/profile_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
@@ -65,6 +66,24 @@ std::pair<std::string, std::string> split(const std::string& text, std::string_v
 }
 
 }  // namespace
+
+std::vector<std::string> FramePrinterOptions::node_words() const {
+  std::vector<std::string> words;
+  const auto add = [&words](const char* option, const std::vector<std::string>& given) {
+    for (const std::string& each : given) words.insert(words.end(), {option, each});
+  };
+  add("--node", nodes);
+  add("--profile", profiles);
+  add("--reading", readings);
+  add("--eds", sheets);
+  return words;
+}
+
+std::string FramePrinterOptions::view_line(const std::string& source) const {
+  std::vector<std::string> words = node_words();
+  words.insert(words.begin(), {"view", source});
+  return typed_line(words);
+}
 
 void FramePrinterOptions::add_nodes_to(Verb& command) {
   command.add({
@@ -295,6 +314,26 @@ void FramePrinter::report_network(std::string_view bus, decoder::Network& networ
   }
 }
 
+const text::FrameWords& FramePrinter::decode(Bus& bus, const Frame& frame) {
+  const text::FrameWords& words = bus.decoder.decode(frame);
+  if (words.is_unknown_pdo) bus.unknown.add(frame);
+  return words;
+}
+
+std::vector<std::string> FramePrinter::unknown_pdos(text::UnknownPdosWords words) {
+  std::vector<std::string> lines;
+  std::size_t count = 0;
+  buses_.for_each([&count](std::string_view, const Bus&) { ++count; });
+  buses_.for_each([&](std::string_view, Bus& bus) {
+    if (count > 1) words.bus = bus.name;
+    std::string line = text::unknown_pdos_text(bus.unknown, bus.decoder.network(), words);
+    if (line.empty()) return;
+    if (count > 1) line.insert(0, bus.name + ": ");
+    lines.push_back(std::move(line));
+  });
+  return lines;
+}
+
 std::vector<std::string_view> FramePrinter::silent_buses() const {
   std::vector<std::string_view> silent;
   for (const Given& given : given_) {
@@ -309,6 +348,7 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
   Bus& heard = bus_of(bus);
   const text::FrameWords& words = heard.decoder.decode(frame);
   if (!is_wanted(time, bus, frame, words)) return false;
+  if (words.is_unknown_pdo) heard.unknown.add(frame);
   append_words(lines, {time, bus}, heard, frame, words);
   return true;
 }
@@ -394,8 +434,11 @@ std::optional<std::string> FramePrinter::describe(Duration time, std::string_vie
 
 const text::FrameWords* FramePrinter::look(Duration time, std::string_view bus,
                                            const Frame& frame) {
-  const text::FrameWords& words = decoder_of(bus).decode(frame);
-  return is_wanted(time, bus, frame, words) ? &words : nullptr;
+  Bus& heard = bus_of(bus);
+  const text::FrameWords& words = heard.decoder.decode(frame);
+  if (!is_wanted(time, bus, frame, words)) return nullptr;
+  if (words.is_unknown_pdo) heard.unknown.add(frame);
+  return &words;
 }
 
 }  // namespace canvoy::tools

@@ -15,10 +15,12 @@
 #include "canvoy/can/time.hpp"
 #include "canvoy/decoder/bus_table.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
+#include "canvoy/decoder/unknown_pdos.hpp"
 #include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/text/frame_decoder.hpp"
 #include "canvoy/text/frame_json.hpp"
+#include "canvoy/text/unknown_pdos_text.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/filter/filter.hpp"
 
@@ -40,6 +42,11 @@ struct FramePrinterOptions {
   bool json = false;
   bool csv = false;           ///< a row for each value instead of a line for each frame
   bool takes_filter = false;  ///< a node alone, without a profile, is a filter
+
+  /// Words of a command line that describe nodes: `--profile`, `417-4`.
+  std::vector<std::string> node_words() const;
+  /// A line that shows this source by these words, for whoever wants to see it again.
+  std::string view_line(const std::string& source) const;
 
   void add_to(Verb& command);
   /// Adds only the options that describe nodes or select frames, for verbs that print no lines.
@@ -66,7 +73,7 @@ class FramePrinter {
   std::optional<std::string> describe(Duration time, std::string_view bus, const Frame& frame);
   /// Decodes a frame without a line, whether or not the filters drop it.
   const text::FrameWords& decode(std::string_view bus, const Frame& frame) {
-    return decoder_of(bus).decode(frame);
+    return decode(bus_of(bus), frame);
   }
   /// As lines name the bus: as a terminal can show it.
   std::string_view bus_name(std::string_view bus) { return bus_of(bus).name; }
@@ -107,6 +114,9 @@ class FramePrinter {
   std::size_t buses_max() const { return buses_.max(); }
   /// Buses named in the options without a frame so far.
   std::vector<std::string_view> silent_buses() const;
+  /// Lines on PDOs that were not decoded since no node has told its profile, one for each bus, with
+  /// the profile that would explain them, if there is one. With the bus if there are several.
+  std::vector<std::string> unknown_pdos(text::UnknownPdosWords words);
   /// If no frame has passed the filters: number of frames, and the conditions that were never true.
   /// Empty if one has passed, or none was heard.
   std::string without_match() const;
@@ -135,6 +145,7 @@ class FramePrinter {
 
     std::string name;  ///< safe for a terminal
     text::FrameDecoder decoder;
+    decoder::UnknownPdos unknown;  ///< of the frames that passed the filters
   };
 
   struct Heard {
@@ -143,6 +154,7 @@ class FramePrinter {
   };
 
   Bus& bus_of(std::string_view name);
+  static const text::FrameWords& decode(Bus& bus, const Frame& frame);
   void append_words(std::string& lines, const Heard& when, Bus& heard, const Frame& frame,
                     const text::FrameWords& words);
   text::FrameDecoder& decoder_of(std::string_view bus) { return bus_of(bus).decoder; }

@@ -50,6 +50,15 @@ LiveTable::By parse_table_rows(const std::string& by) {
   return by == "node" ? LiveTable::By::node : LiveTable::By::object;
 }
 
+/// Nodes that are not known are told as they are heard, or below the table.
+void show_unknown_pdos(const MonitorOptions& options, FramePrinter& printer) {
+  const bool shows_bytes = !options.table && !options.printer.csv;
+  const char* const fate = shows_bytes ? "shown as bytes" : "not decoded";
+  for (const std::string& line : printer.unknown_pdos({.fate = fate, .only_with_guess = true})) {
+    print_message(fmt::format("{}: {}", options.source, line));
+  }
+}
+
 class BusMonitor {
  public:
   explicit BusMonitor(const MonitorOptions& options)
@@ -77,6 +86,7 @@ class BusMonitor {
     const std::string without_match = printer_.without_match();
     if (!without_match.empty())
       print_message(fmt::format("{}: {}", options_.source, without_match));
+    show_unknown_pdos(options_, printer_);
     if (failure_) throw Failure(*failure_);
     return exit_done;
   }
@@ -223,6 +233,7 @@ int show_log_table(const MonitorOptions& options) {
     table.take(heard.time.time_since_epoch(), heard.channel, heard.frame, *words);
   }
   refuse_log_without_frames(options.source, trace);
+  show_unknown_pdos(options, printer);
   if (options.printer.json) {
     fmt::print("{}", table.json(last));
     return exit_done;

@@ -141,9 +141,7 @@ function set_theme(theme: string) {
 
 /** A bus and a log are known by their names. */
 function title_of(hello: Json): string {
-  const of = /^canvoy view (.*)$/.exec(hello.command ?? "")?.[1].split("/");
-  if (hello.kind === "log" && of) return of.at(-1)!;
-  if (hello.kind === "bus" && of) return of.join("/");
+  if (hello.source) return hello.kind === "log" ? hello.source.split("/").at(-1) : hello.source;
   return texts.kinds[hello.kind] ?? texts.name;
 }
 

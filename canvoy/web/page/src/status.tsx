@@ -34,6 +34,7 @@ export function Status() {
   if (snapshot.clock_ahead_s) lines.push(texts.clock_ahead(snapshot.clock_ahead_s));
   if (silent.length > 0) lines.push(texts.silent(silent));
   if (lost > 0) lines.push(texts.frames_lost_before(lost));
+  for (const line of snapshot.unknown_pdos ?? []) lines.push(texts.unknown_pdos(line));
   if (hello.unreadable > 0) lines.push(texts.unreadable(hello.unreadable, hello.unreadable_at));
   if (hello.of_other_buses > 0) lines.push(texts.of_other_buses(hello.of_other_buses, hello.buses.length));
   if (frames_lost > 0) lines.push(texts.frames_lost(frames_lost));

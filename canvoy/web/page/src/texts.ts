@@ -34,6 +34,7 @@ export const texts = {
   bus_state: (state: string) => `The bus is ${state}.`,
   silent: (names: string[]) => `No heartbeat any more: ${names.join(", ")}.`,
   frames_lost_before: (n: number) => `${n} frames were lost before they reached this program: it read too slowly, or the adapter did.`,
+  unknown_pdos: (line: string) => `${line.replace(/^no /, "No ")}.`,
   unreadable: (n: number, first: string) => `${n === 1 ? "1 line" : `${n} lines`} of this log could not be read, and ${n === 1 ? "is" : "are"} missing in all that is shown. ${n === 1 ? "" : "The first: "}${first}.`,
   of_other_buses: (n: number, buses: number) => `This log has more than ${buses} buses: ${n} frames of the others are not shown.`,
   left_out: (seconds: number) => `The machine was too slow: for ${seconds.toFixed(1)} s of the clock the network stood still.`,
