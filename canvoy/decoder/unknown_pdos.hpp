@@ -1,6 +1,5 @@
-// PDOs of which nobody knows what they carry, and the profile that would explain them: a hint for
-// whoever listens to nodes that have not told their device type (1000h). The hint is no knowledge:
-// a decoder does not use it.
+// PDOs whose content is unknown, and the profile that would explain them: a hint for those who
+// listen to nodes that have not told their device type (1000h). A decoder does not use the hint.
 //
 //     UnknownPdos unknown;
 //     if (words.is_unknown_pdo) unknown.add(frame);

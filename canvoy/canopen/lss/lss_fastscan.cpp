@@ -231,7 +231,7 @@ void LssFastscan::give_up_request() {
 }
 
 void LssFastscan::unsent(Time) {
-  // Whether anybody is there is not known if nobody was asked.
+  // Whether a node is there is unknown if none was asked.
   if (step_ == &LssFastscan::anybody_answered) {
     return ++unsent_ < unsent_max ? ask_anybody() : finish(Outcome::lost);
   }

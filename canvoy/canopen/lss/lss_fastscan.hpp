@@ -54,7 +54,7 @@ class LssFastscan {
     found,
     nobody,  ///< no node takes part, or none with this pattern
     /// A node answered, but its address was not confirmed, or it fell silent; or the controller was
-    /// full for so long that nobody could be asked.
+    /// full for so long that no node could be asked.
     lost,
   };
   /// What a run found.

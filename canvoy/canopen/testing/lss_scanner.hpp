@@ -50,4 +50,18 @@ struct LssScanner {
   std::optional<LssScan::Outcome> result;
 };
 
+/// Devices of one kind: they differ in one bit of the serial number, or a few.
+inline std::vector<LssAddress> similar_addresses(std::size_t count) {
+  std::vector<LssAddress> addresses(count, LssAddress{{0x2F0, 419, 0x0001'0002, 0x1000}});
+  for (std::size_t i = 0; i < count; ++i) addresses[i].parts[3] += static_cast<std::uint32_t>(i);
+  return addresses;
+}
+
+/// Blocks transmission for a while: 2 ms for each frame that waits.
+inline void fill_controller(LssNetwork& network) {
+  while (!network.node().transmitter().full()) {
+    network.node().transmitter().send(wire_frame("7FE#00 00 00 00 00 00 00 00"));
+  }
+}
+
 }  // namespace canvoy

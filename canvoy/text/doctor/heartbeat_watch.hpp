@@ -56,7 +56,7 @@ class CrossingWatch {
 struct TwoPeriods {
   Duration shorter{};  ///< period of one sender
   Duration longer{};   ///< period of the other
-  Time last{};  ///< time of the last confirmation
+  Time last{};         ///< time of the last confirmation
 };
 
 /// Detects two senders with different periods, both unknown: all heartbeats belong to one of two

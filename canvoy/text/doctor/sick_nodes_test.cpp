@@ -13,7 +13,8 @@ std::unique_ptr<Clinic> twin(Duration behind) {
   return clinic;
 }
 
-/// Two devices with the heartbeats of one node, each with its period (1017h), which no client reads.
+/// Two devices with the heartbeats of one node, each with its period (1017h), which no client
+/// reads.
 std::unique_ptr<Clinic> twins(Duration one, Duration other) {
   auto clinic = healthy();
   for (const Duration period : {one, other}) {
