@@ -179,6 +179,9 @@ constexpr EntryRow row_of(const Part& part, const EntryInfo& entry, Reason& reas
   row.sub_last = part.last_sub(entry);
   row.type = entry.type;
   row.access = access_of(part, entry);
+  if (!allows(row.access, Access::sdo_read) && !allows(row.access, Access::sdo_write)) {
+    reason.blame("an entry without access");
+  }
   row.capacity = is_string(entry.type) && part.capacity() != 0 ? part.capacity() : entry.capacity;
   if (!is_stored(part, entry, row.access)) row.traits = row.traits | EntryTraits::not_stored;
   if (is_string(entry.type) && entry.capacity == 0) {
