@@ -104,6 +104,12 @@ class Evidence(unittest.TestCase):
         self.assertEqual(self.unreached(not_asked), [(2, "never asked", "g(a)")])
         self.assertEqual(self.unreached(not_asked, constant), [])
 
+    def test_comments_and_closing_brackets_are_no_places(self):
+        for line in ("", "  // a comment", "}", "  });", "      }"):
+            self.assertFalse(coverage.is_code(line), line)
+        for line in ("  return;", "} else {  // a comment", "++i;", ": a_(b) {", "!a) {", "(void)a;", "a / b;"):
+            self.assertTrue(coverage.is_code(line), line)
+
     def test_a_line_that_nothing_reaches_is_told_once(self):
         unused = {"lines": {1: 0, 2: 0}, "segments": UNUSED, "branches": [(FIRST, 0, 0)]}
         self.assertEqual(self.unreached(unused), [(1, "line", ""), (2, "line", "")])
@@ -140,6 +146,9 @@ class Evidence(unittest.TestCase):
         rows = evidence.soak_of(text)
         self.assertEqual(rows, [{"campaign": "lift", "seeds": 20, "hours": 40.0, "faults": 1234, "sabotaged_hours": 0.0, "wrong": 1},
                                 {"campaign": "bus-places", "seeds": 5, "hours": 832.5, "faults": 1110, "sabotaged_hours": 123.8, "wrong": 0}])  # fmt: skip
+        self.assertEqual(evidence.stopped_of(text), [])
+        self.assertEqual(evidence.stopped_of(text + "bus, seed 4: a lie\n"), ["bus, seed 4: a lie"])
+        self.assertIn("- `bus, seed 4: a lie`", evidence.soak_text({"commit": "abc", "campaigns": rows, "stopped": ["bus, seed 4: a lie"]}))
         self.assertIn("| **all** | 25 | 872.5 | 2,344 | 123.8 | 1 |", evidence.soak_text({"commit": "abc", "campaigns": rows}))
 
     def test_each_release_keeps_its_row(self):
