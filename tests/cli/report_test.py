@@ -89,6 +89,31 @@ class Report(CommandTest):
             # 540 of 600 units are ten seconds; that an error is over is no emergency.
             self.assertEqual(re.findall('<path class="emergency-mark" d="([^"]*)"', curve), ["M326.0 8v8"])
 
+    def curve_of_a_log(self, frames, name, *options):
+        log = os.path.join(self.folder, "curve.log")
+        with open(log, "w", encoding="ascii") as out:
+            out.writelines(f"({time:.6f}) can0 {frame}\n" for time, frame in frames)
+        page, _ = self.report(log, *options)
+        curves = re.findall(r'<figure class="curve">.*?</figure>', page, re.DOTALL)
+        curve = next(each for each in curves if f": {name} " in each)
+        return page, curve, re.search('<path class="line" d="([^"]*)"', curve)[1]
+
+    def test_a_peak_between_two_pictures_is_in_the_curve(self):
+        # The temperature of a battery (CiA 418, 6010h in TPDO1, in 0.125 degrees): 20 and 21 degrees, and 60 for 0.1 s.
+        frames = [(second, "18A#A00001" if second % 100 else "18A#A80001") for second in range(1001)]
+        frames += [(432.1, "18A#E00101"), (432.2, "18A#A00001")]
+        page, curve, _ = self.curve_of_a_log(sorted(frames), "temperature", "--node", "10=418")
+        self.assertIn('temperature, 20 °C to 60 °C"', curve)
+        self.assertIn("canvoy view curve.log --node 10=418", words_of(page.replace(self.folder + "/", ""), "code"))
+
+    def test_a_closed_door_is_0_mm_wide_and_an_unknown_one_has_no_width(self):
+        # Door 1 of a lift (CiA 417-4, 6301h and 6302h in 201h), each two seconds: closed is 0000h, not available FFFFh.
+        widths = [900, 0, 450, 0xFFFF, 900, 450]
+        frames = [(2 * i, f"201#0000{width & 0xFF:02X}{width >> 8:02X}") for i, width in enumerate(widths)]
+        _, _, line = self.curve_of_a_log(frames, "Door position, Door 1", "--profile", "417-4")
+        # 540 of 600 units are ten seconds, 90 of 120 are 900 mm.
+        self.assertEqual(line, "M56.0 8.0H164.0V98.0H272.0V53.0H380.0M488.0 8.0H596.0V53.0H596.0")
+
     def test_what_a_log_does_not_have_is_said_first(self):
         log = os.path.join(self.folder, "cut.log")
         with open(log, "w", encoding="ascii") as out:

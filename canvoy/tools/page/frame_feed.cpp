@@ -95,7 +95,11 @@ void FrameFeed::remember(std::uint64_t key, Duration time, const decoder::Decode
   if (only == nullptr && !value.entry->fields.empty()) return;
   const Reading reading = only == nullptr ? read_value(*value.entry, value.bytes())
                                           : read_field(*value.entry, *only, value.bytes());
-  if (reading.kind == Reading::Kind::number) {
+  // A state of a quantity is one of its numbers: a closed door has a width of 0 mm.
+  const bool is_quantity = reading.kind == Reading::Kind::name &&
+                           reading.named->meaning == Meaning::state &&
+                           reading.value->unit != Unit::none;
+  if (reading.kind == Reading::Kind::number || is_quantity) {
     known->second.add(in_seconds(time), reading.number);
   } else if (reading.kind == Reading::Kind::name) {
     known->second.add(in_seconds(time), reading.named->name);

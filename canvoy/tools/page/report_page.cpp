@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t curves_max = 12;
 /// A value with fewer changes is reported as text, without a curve.
 constexpr std::size_t curve_points_min = 4;
+constexpr std::size_t curve_points_max = 300;
 constexpr std::size_t values_told_max = 1000;
 /// Below it are communication parameters (CiA 301, 7.4.1).
 constexpr std::string_view first_own_text = "2000";
@@ -218,9 +219,23 @@ class ReportMaker {
     });
     Json list = Json::object();
     for (std::size_t i = 0; i < std::min(best.size(), curves_max); ++i) {
-      list[std::string(best[i].first)] = best[i].second->points;
+      list[std::string(best[i].first)] = points_of(*best[i].second);
     }
     return list;
+  }
+
+  /// All that was heard, where the source still has it; else what pictures have caught.
+  Json points_of(const Curve& curve) const {
+    const Json& value = curve.last["values"][0];
+    const auto hex = [&value](const char* key) {
+      return std::stoul(value.value(key, "0"), nullptr, 16);
+    };
+    Json points = source_.feed()
+                      .history(curve.last.value("bus", ""), curve.last.value("node", NodeId{0}),
+                               static_cast<std::uint16_t>(hex("index")),
+                               static_cast<std::uint8_t>(hex("sub")))
+                      .points(curve_points_max);
+    return points.size() < curve.points.size() ? curve.points : points;
   }
 
   LiveSource& source_;

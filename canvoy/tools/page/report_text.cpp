@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -217,13 +218,16 @@ struct CurveMarks {
   std::vector<double> emergencies;
 };
 
-/// A value over time, constant until it changes: steps.
+/// A value over time, constant until it changes: steps, with gaps where there is no number.
+/// One of the points has a number.
 class DrawnCurve {
  public:
   DrawnCurve(const Json& points, double begin, double end)
       : points_(points), begin_(begin), end_(end) {
-    low_ = high_ = points[0][1].get<double>();
+    low_ = std::numeric_limits<double>::max();
+    high_ = std::numeric_limits<double>::lowest();
     for (const Json& point : points) {
+      if (point[1].is_null()) continue;
       low_ = std::min(low_, point[1].get<double>());
       high_ = std::max(high_, point[1].get<double>());
     }
@@ -287,16 +291,21 @@ class DrawnCurve {
   }
   std::string path() const {
     std::string made;
+    bool has_number = false;
     for (const Json& point : points_) {
       const double at = x(point[0].get<double>());
-      const double value = y(point[1].get<double>());
-      if (made.empty()) {
-        write(made, "M{:.1f} {:.1f}", at, value);
-      } else {
-        write(made, "H{:.1f}V{:.1f}", at, value);
+      if (has_number) write(made, "H{:.1f}", at);
+      if (!point[1].is_null()) {
+        const double value = y(point[1].get<double>());
+        if (has_number) {
+          write(made, "V{:.1f}", value);
+        } else {
+          write(made, "M{:.1f} {:.1f}", at, value);
+        }
       }
+      has_number = !point[1].is_null();
     }
-    write(made, "H{:.1f}", x(end_));
+    if (has_number) write(made, "H{:.1f}", x(end_));
     return made;
   }
 

@@ -10,24 +10,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Largest-Triangle-Three-Buckets (Steinarsson, 2013): of each bucket the sample that makes the
-/// largest triangle with the one kept before and the mean of the next bucket. First and last stay.
+/// Largest-Triangle-Three-Buckets (Steinarsson, 2013), with buckets of equal time: of each the
+/// sample that makes the largest triangle with the one kept before and the mean of the next bucket.
+/// First and last stay. Buckets of as many samples each would leave fewer of the beginning with
+/// each call. At most `count` samples, fewer where some buckets are empty.
 template <class Sample>
 std::vector<Sample> thinned(const std::vector<Sample>& all, std::size_t count) {
-  std::vector<Sample> kept{all.front()};
-  const double width = static_cast<double>(all.size() - 2) / static_cast<double>(count - 2);
-  const auto edge = [&](std::size_t bucket) {
-    return std::min(all.size() - 1,
-                    1 + static_cast<std::size_t>(static_cast<double>(bucket) * width));
+  const double begin = all.front().time;
+  const double width = (all.back().time - begin) / static_cast<double>(count - 2);
+  const auto end_of_bucket = [&](std::size_t from) {
+    const double end = begin + (std::floor((all[from].time - begin) / width) + 1) * width;
+    std::size_t to = from + 1;
+    while (to + 1 < all.size() && all[to].time < end) ++to;
+    return to;
   };
-  for (std::size_t bucket = 0; bucket + 2 < count; ++bucket) {
+  std::vector<Sample> kept{all.front()};
+  for (std::size_t from = 1; from + 1 < all.size();) {
+    const std::size_t to = end_of_bucket(from);
+    const std::size_t after = to + 1 < all.size() ? end_of_bucket(to) : all.size();
     double time = 0;
     double value = 0;
-    const std::size_t next = edge(bucket + 1);
-    const std::size_t after = std::max(next + 1, edge(bucket + 2));
-    for (std::size_t i = next; i < after; ++i) {
-      time += all[i].time / static_cast<double>(after - next);
-      value += all[i].value / static_cast<double>(after - next);
+    for (std::size_t i = to; i < after; ++i) {
+      time += all[i].time / static_cast<double>(after - to);
+      value += all[i].value / static_cast<double>(after - to);
     }
     const Sample& last = kept.back();
     const auto area = [&](const Sample& it) {
@@ -35,11 +40,16 @@ std::vector<Sample> thinned(const std::vector<Sample>& all, std::size_t count) {
                       (last.time - it.time) * (value - last.value));
     };
     kept.push_back(*std::max_element(
-        all.begin() + static_cast<std::ptrdiff_t>(edge(bucket)),
-        all.begin() + static_cast<std::ptrdiff_t>(next),
+        all.begin() + static_cast<std::ptrdiff_t>(from),
+        all.begin() + static_cast<std::ptrdiff_t>(to),
         [&](const Sample& one, const Sample& other) { return area(one) < area(other); }));
+    from = to;
   }
   kept.push_back(all.back());
+  // More only if time has not gone on.
+  if (kept.size() > count) {
+    kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(count));
+  }
   return kept;
 }
 
@@ -70,9 +80,22 @@ void ValueHistory::thin() {
   const bool has_names = std::ranges::any_of(samples_, &Sample::is_name);
   if (has_names) {
     samples_.erase(samples_.begin(), samples_.begin() + samples_max / 2);
+    is_cut_ = true;
   } else {
     samples_ = thinned(samples_, samples_max / 2);
   }
+}
+
+Json ValueHistory::points(std::size_t count_max) const {
+  Json points = Json::array();
+  if (is_cut_) return points;
+  const bool has_names = std::ranges::any_of(samples_, &Sample::is_name);
+  const bool is_thinned = samples_.size() > count_max && !has_names;
+  for (const Sample& sample : is_thinned ? thinned(samples_, count_max) : samples_) {
+    points.push_back(
+        Json::array({sample.time, sample.is_name ? Json(nullptr) : Json(sample.value)}));
+  }
+  return points;
 }
 
 Json ValueHistory::json() const {

@@ -28,6 +28,9 @@ class ValueHistory {
 
   /// `times`, and as many `values`: numbers, or names of states.
   nlohmann::ordered_json json() const;
+  /// Pairs of time and number, `count_max` (3 or more) at most; null where a state begins that has
+  /// no number. Empty if the earliest values are no longer known.
+  nlohmann::ordered_json points(std::size_t count_max) const;
 
  private:
   struct Sample {
@@ -41,6 +44,7 @@ class ValueHistory {
 
   std::vector<Sample> samples_;
   std::vector<std::string> names_;
+  bool is_cut_ = false;  ///< the earliest samples are gone
 };
 
 }  // namespace canvoy::tools
