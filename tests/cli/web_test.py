@@ -386,6 +386,7 @@ class WebTest(CommandTest):
         post(self.port, "/api/run/pause", {"paused": True})
         status, answer = read(self.port, "/api/networks/lift1/nodes/2/objects/1017")
         self.assertEqual((status, "stands still" in answer["error"]), (409, True))
+        self.assertEqual(read(self.port, "/api/networks/no/nodes/2/objects/1017")[0], 404, "whatever time does")
         post(self.port, "/api/run/pause", {"paused": False})
         self.assertEqual(post(self.port, "/api/run/fault", {"fault": "no-such", "duration_s": 1})[0], 422)
         self.assertEqual(read(self.port, "/api/networks/lift1/nodes/2/objects/no-such")[0], 404)

@@ -17,22 +17,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Takes the text up to the next slash, and the slash.
-std::string_view take_segment(std::string_view& path) {
-  const std::size_t end = std::min(path.find('/'), path.size());
+/// Takes the text up to the next slash, or of `count` segments with the slashes between them, and
+/// the slash behind it.
+std::string_view take_segment(std::string_view& path, std::ptrdiff_t count = 1) {
+  std::size_t end = std::min(path.find('/'), path.size());
+  for (; count > 1; --count) end = std::min(path.find('/', end + 1), path.size());
   const std::string_view segment = path.substr(0, end);
   path.remove_prefix(std::min(end + 1, path.size()));
   return segment;
 }
 
-/// Values for the names in `pattern`; nothing if `path` does not match.
+constexpr std::string_view bus_name = "{bus}";
+
+/// Values for the names in `pattern`; nothing if `path` does not match. The name of a bus may have
+/// slashes: `tcp:127.0.0.1:29536/can0`.
 std::optional<std::vector<std::pair<std::string_view, std::string_view>>> matched(
     std::string_view pattern, std::string_view path) {
-  if (std::ranges::count(pattern, '/') != std::ranges::count(path, '/')) return std::nullopt;
+  const auto in_bus = std::ranges::count(path, '/') - std::ranges::count(pattern, '/');
+  if (in_bus < 0 || (in_bus > 0 && pattern.find(bus_name) == std::string_view::npos)) {
+    return std::nullopt;
+  }
   std::vector<std::pair<std::string_view, std::string_view>> values;
   while (!pattern.empty()) {
     const std::string_view wanted = take_segment(pattern);
-    const std::string_view given = take_segment(path);
+    const std::string_view given = take_segment(path, wanted == bus_name ? in_bus + 1 : 1);
     if (!wanted.starts_with('{')) {
       if (wanted != given) return std::nullopt;
       continue;

@@ -39,10 +39,19 @@ TEST(ApiRoutes, APathGivesItsNamesTheirValues) {
             Json::parse(R"({"bus":"can0","node":127,"object":"1018:4"})"));
 }
 
+TEST(ApiRoutes, TheNameOfABusMayHaveSlashes) {
+  EXPECT_EQ(
+      arguments("POST", "/api/networks/tcp:[::1]:29536/can0/nodes/5/objects/1017/read", {}, "{}"),
+      Json::parse(R"({"bus":"tcp:[::1]:29536/can0","node":5,"object":"1017"})"));
+  EXPECT_EQ(arguments("GET", "/api/networks/a/nodes/1/objects/nodes/1/objects"),
+            Json::parse(R"({"bus":"a/nodes/1/objects","node":1})"));
+  EXPECT_EQ(arguments("GET", "/api/networks/a/nodes/1/more/objects"), "no route");
+}
+
 TEST(ApiRoutes, OnlyWholePathsAreRoutes) {
   for (const char* path :
        {"/", "/api/", "/api/stat", "/api/state/", "//api/state", "/api/run", "/api/run/pause/",
-        "/api/networks//nodes/1/objects", "/api/networks/a/b/nodes/1/objects"}) {
+        "/api/networks//nodes/1/objects", "/api/run/seek/more"}) {
     EXPECT_EQ(methods_of(path), "") << path;
   }
 }

@@ -301,11 +301,11 @@ void LiveWorld::restart(const Json& arguments) {
 }
 
 void LiveWorld::request(const BusRequest& request, const SdoRequests::Done& done) {
+  if (std::ranges::find(buses_, request.bus) == buses_.end())
+    throw NotThere(fmt::format("there is no bus '{}'", request.bus));
   if (playback_.is_paused() || playback_.is_over() || playback_.speed() == 0) {
     throw NotNow("time stands still, and nobody answers: let the run go on first");
   }
-  if (std::ranges::find(buses_, request.bus) == buses_.end())
-    throw NotThere(fmt::format("there is no bus '{}'", request.bus));
   act_now({.request = request}, done);
 }
 
