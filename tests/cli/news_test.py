@@ -224,7 +224,7 @@ class NewsOnATerminal(Listening):
         screen.wait_for("q quit")  # all is read
         self.device.kill()
         self.device.wait()
-        screen.wait_for("the node does not answer, values are ")
+        screen.wait_for("s old, the node does not answer")
         self.battery()
         self.assertTrue(screen.comes_to(lambda lines: not any("does not answer" in line for line in lines)))
 

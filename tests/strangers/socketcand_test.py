@@ -7,6 +7,7 @@ python-can's client and the command are two of its clients, and hear each other.
 
 import pathlib
 import select
+import shutil
 import socket
 import subprocess
 import sys
@@ -19,6 +20,7 @@ TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path += [str(TESTS), str(TESTS / "cli")]
 import own_network
 from command import CANVOY, DONE, FAILED, CommandTest, run
+from monitor_table_test import Terminal
 from socketcand_server import Server
 
 try:
@@ -148,6 +150,47 @@ class Socketcand(CommandTest):
                 device.terminate()
                 self.assertIn(said, output + errors)
                 self.assertEqual(program.returncode, status, output + errors)
+
+    def test_browse_says_that_the_server_has_gone_and_that_a_write_failed(self):
+        if shutil.which("tmux") is None:
+            self.skipTest("tmux is missing; scripts/install-packages test installs it")
+        device = self.start("device", "battery", self.bus, "--node-id", "10")
+        self.wait_for_clients(1)
+        terminal = Terminal(self.folder, 80, 24, CANVOY, "browse", self.bus, "10", "--timeout", "1s")
+        self.addCleanup(terminal.end)
+        terminal.wait_for("q quit")
+        self.server.stop()
+        self.assertTrue(terminal.comes_to(lambda lines: lines[0].startswith("values are ")), terminal.lines())
+        terminal.wait_for("the server has closed the connection")
+        terminal.press("/")
+        terminal.press("-l", "1017")
+        terminal.press("Enter")
+        terminal.press("Enter")
+        terminal.wait_for("now 1000 ms")
+        terminal.press("-l", "300ms")
+        terminal.press("Enter")
+        before = terminal.wait_for("write failed: ")[0]
+        self.assertTrue(terminal.comes_to(lambda lines: lines[0] != before), "the age goes on")
+        self.assertTrue(any("write failed: " in line for line in terminal.lines()), "it is told until the next key")
+        again = Server(self.server.port)
+        self.addCleanup(again.stop)
+        self.assertTrue(terminal.comes_to(lambda lines: "node 10 (0Ah)" in lines[0] and "old" not in lines[0]), terminal.lines())
+        terminal.press("Escape")
+        terminal.wait_for("q quit")
+        self.assertIn("1000 ms", terminal.lines()[1])
+        terminal.press("q")
+        self.assertTrue(terminal.is_over(), "q ends it")
+        device.terminate()
+
+    def test_browse_ends_where_the_server_goes_while_it_reads(self):
+        self.start("device", "battery", self.bus, "--node-id", "10")
+        self.wait_for_clients(1)
+        browse = self.start("browse", self.bus, "10", "--timeout", "1s")
+        self.wait_until(lambda: len(self.server.said) > 20, "the command does not read")
+        self.server.stop()
+        output, errors = browse.communicate(timeout=PATIENCE)
+        self.assertEqual((output, browse.returncode), ("", FAILED))
+        self.assertIn("the server has closed the connection", errors)
 
     def test_a_server_that_says_nothing_is_asked_anew(self):
         monitor = self.start("monitor", self.bus, "--filter", "id=7A0", "--count", "1")

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { createServer } from "node:net";
 import { test } from "node:test";
-import { look_at, open_browser, serve, start, view } from "./browser.mjs";
+import { ask, look_at, open_browser, serve, start, view } from "./browser.mjs";
 
 test("a node that was killed, and a bus that has one gone, are not shown as before", async () => {
   const bus = "udp:239.74.163.44:43144";
@@ -99,7 +99,8 @@ test("a bus that is off, and a clock that was set, are said first, and nothing i
 
 test("a bus that is lost is said to be, in the first line and as an event, and so is that it is back", async () => {
   let remote = await remote_bus(0);
-  const server = await serve("view", `tcp:127.0.0.1:${remote.port}/can0`);
+  const bus = `tcp:127.0.0.1:${remote.port}/can0`;
+  const server = await serve("view", bus, "--allow-write", "all");
   const browser = await open_browser();
   try {
     const page = await look_at(browser.context, server.url);
@@ -112,6 +113,11 @@ test("a bus that is lost is said to be, in the first line and as an event, and s
     await page.getByRole("alert").filter({ hasText: /The bus: .*closed the connection/ }).waitFor();
     await page.locator(".events li.bad", { hasText: "the bus is lost" }).waitFor();
     await page.locator(".events li.bad", { hasText: "node 5 (05h): no heartbeat any more" }).waitFor();
+    // It would be carried out when the bus comes back.
+    const path = `/api/networks/${encodeURIComponent(bus)}/nodes/5/objects/1017`;
+    const answer = await ask(server, path, { method: "POST", body: JSON.stringify({ value: "300ms" }) });
+    assert.equal(answer.status, 409);
+    assert.match((await answer.json()).error, /^the bus is lost: .*closed the connection/);
     remote = await remote_bus(port);
     await page.locator(".events li.good", { hasText: "the bus is back" }).waitFor();
     await page.locator(".summary.good .headline", { hasText: "The only node is operational" }).waitFor();

@@ -140,6 +140,10 @@ void LiveBus::act(std::string_view what, const Json& arguments, const Done& done
 
 void LiveBus::request(const BusRequest& request, const SdoRequests::Done& done) {
   if (request.bus != bus_->name()) throw NotThere(fmt::format("there is no bus '{}'", request.bus));
+  // It would wait for the bus to come back, and be carried out then.
+  if (!trouble_.empty() && bus_->state() == BusState::bus_off) {
+    throw NotNow(fmt::format("the bus is lost: {}", trouble_));
+  }
   if (request.kind == BusRequest::Kind::nmt) {
     const Port port = attachment_.port();
     if (!port.send(port.context, Frame::data_frame(0x000, {request.bytes[0], request.node}))) {

@@ -152,6 +152,8 @@ AbortCode Session::take(std::span<const std::uint8_t> bytes) {
 
 void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> value) {
+  // A request of now would wait for the bus to come back, and be carried out then.
+  if (!loss_.empty() && bus_->state() == BusState::bus_off) throw Failure(loss_);
   const NodeId server = server_of(node);
   limit_ = writes_memory(index) ? time_out_.storing : time_out_.usual;
   node_->advance(loop_->now());

@@ -73,24 +73,23 @@ class Browser {
     const std::size_t shown = std::min(rows_.size() - first_, room_);
     if (shown == 0) return;
     refreshed_ = (refreshed_ + 1) % shown;
-    attempt([this] {
+    try {
       const bool has_answered = tree_.refresh(rows_.at(first_ + refreshed_));
       if (!has_answered) return;
       answered_at_ = session_.loop().now();
-      if (!is_lost_) return;
-      message_.clear();
-      is_lost_ = false;
-    });
+      loss_.clear();
+    } catch (const Failure& failure) {
+      loss_ = failure.what();
+    }
   }
 
-  /// A missing answer is shown until the node answers.
+  /// What fails is told until the next key.
   template <class Step>
-  void attempt(const Step& step) {
+  void attempt(std::string_view failed, const Step& step) {
     try {
       step();
     } catch (const Failure& failure) {
-      message_ = failure.what();
-      is_lost_ = true;
+      message_ = fmt::format("{}{}", failed, failure.what());
     }
   }
 
@@ -171,20 +170,19 @@ class Browser {
     message_.clear();
     switch (question) {
       case Question::value:
-        attempt([this] { tree_.write(edited_, typed_); });
+        attempt("write failed: ", [this] { tree_.write(edited_, typed_); });
         break;
       case Question::save:
-        attempt([this] { save(); });
+        attempt("save failed: ", [this] { save(); });
         break;
       case Question::load:
-        attempt([this] { load(); });
+        attempt("", [this] { load(); });
         break;
       case Question::search:
       case Question::none:
       case Question::confirm:
         break;
     }
-    is_lost_ = false;
   }
 
   void save() {
@@ -214,7 +212,7 @@ class Browser {
     question_ = Question::none;
     message_.clear();
     std::size_t written = 0;
-    attempt([&] {
+    attempt("", [&] {
       for (const ConfigurationEntry& step : change_.steps) {
         tree_.write(step);
         ++written;
@@ -222,7 +220,6 @@ class Browser {
     });
     const std::string count = fmt::format("{} of {} written", written, change_.steps.size());
     message_ = message_.empty() ? count : count + "; " + message_;
-    is_lost_ = false;
   }
 
   // The picture
@@ -250,7 +247,7 @@ class Browser {
       std::string line = in_columns(place, place_columns);
       line += in_columns(sign + (i < names.size() ? names[i] : ""), name_columns) + ' ';
       const std::string value = in_columns(i < values.size() ? values[i] : "", value_columns);
-      line += is_lost_                 ? "\x1b[2m" + value + "\x1b[22m"
+      line += !loss_.empty()           ? "\x1b[2m" + value + "\x1b[22m"
               : tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m"
                                        : value;
       line += in_columns(access, access_columns);
@@ -280,18 +277,19 @@ class Browser {
         break;
     }
     if (!message_.empty()) return message_;
+    if (!loss_.empty()) return loss_;
     return fmt::format("q quit  Enter open, edit  / search{}  w save  l load",
                        search_.empty() ? "" : ": " + search_);
   }
 
-  /// The node, or what is wrong: the bus first, since without it no node answers.
+  /// The node, or what is wrong: the age of the values first, since a long reason is cut.
   std::string first_row() const {
     const Time now = session_.loop().now();
     std::string wrong = news_.text(now);
-    if (is_lost_) {
+    if (!loss_.empty()) {
       const auto age = std::chrono::floor<std::chrono::seconds>(now - answered_at_);
-      wrong += fmt::format("{}the node does not answer, values are {} s old",
-                           wrong.empty() ? "" : "; ", age.count());
+      wrong = fmt::format("values are {} s old, {}", age.count(),
+                          wrong.empty() ? "the node does not answer" : wrong);
     }
     return wrong.empty() ? title_ : fmt::format("\x1b[1m{}\x1b[22m  {}", wrong, title_);
   }
@@ -362,14 +360,14 @@ class Browser {
   Question question_ = Question::none;
   std::string typed_;
   std::string search_;
-  std::string message_;
+  std::string message_;  ///< what the last key has done
   std::size_t place_ = 0;
   std::size_t first_ = 0;
   std::size_t room_ = 1;
   static constexpr std::size_t sign_columns = 2;
   std::size_t longest_name_ = 0;  ///< of the rows, with its sign
   std::size_t refreshed_ = 0;
-  bool is_lost_ = false;
+  std::string loss_;  ///< why the node did not answer last; empty: it did
   bool is_over_ = false;
   Time answered_at_ = session_.loop().now();
   BusNews news_{[](const std::string&) {}};
