@@ -1,5 +1,5 @@
-// PDOs whose content is unknown, and the profile that would explain them: a hint for those who
-// listen to nodes that have not told their device type (1000h). A decoder does not use the hint.
+// PDOs whose content is unknown, and the profile that would explain them: a hint for a listener to
+// nodes that have not told their device type (1000h). A decoder does not use it.
 //
 //     UnknownPdos unknown;
 //     if (words.is_unknown_pdo) unknown.add(frame);
@@ -23,6 +23,7 @@ class UnknownPdos {
   /// Counts a data frame with 11 bits of CAN-ID whose content was unknown. Constant.
   void add(const Frame& frame);
 
+  /// What is not decoded, by what is known now.
   struct Count {
     std::uint64_t frames = 0;        ///< of nodes whose profile is still unknown
     bool is_any_node_known = false;  ///< the profile of some node is known
@@ -33,12 +34,16 @@ class UnknownPdos {
 
   /// The one profile that explains nearly all of these frames, by their CAN-IDs and lengths, and
   /// clearly more of them than any other: at least `explained_min` of them, on `can_ids_min`
-  /// CAN-IDs, and no other has `others_max` of that, in frames and in CAN-IDs. Null: there is none.
+  /// CAN-IDs, and no other has `others_max` of that, in frames and in CAN-IDs. One that is
+  /// built on another needs a quarter of it only. Null: there is none.
   /// Takes some milliseconds where the network has learned since the last call, or frames of
   /// another kind have come, or an eighth more.
   const Profile* guess(const Network& network);
+  /// Share of the frames that a profile has to explain, 0 to 1.
   static constexpr double explained_min = 0.95;
+  /// Share of that which no other profile may exceed, 0 to 1.
   static constexpr double others_max = 0.6;
+  /// Number of CAN-IDs that a profile has to explain.
   static constexpr std::size_t can_ids_min = 3;
 
  private:

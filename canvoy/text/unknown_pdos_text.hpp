@@ -1,9 +1,7 @@
 // Words for PDOs that were not decoded, since no node has told its profile.
 //
 //     unknown_pdos_text(unknown, network, {.fate = "shown as bytes"});
-//     // no node has told its profile (1000h): 17 PDOs are shown as bytes; they look like CiA
-//     417-4:
-//     // --profile 417-4
+//     // no node has told its profile (1000h): 17 PDOs are shown as bytes; they look like ...
 #pragma once
 
 #include <string>
@@ -13,6 +11,7 @@
 
 namespace canvoy::text {
 
+/// How the frames are told.
 struct UnknownPdosWords {
   std::string_view fate = "not decoded";  ///< what became of the frames: `are ...`
   std::string_view bus = {};              ///< for the option of this bus alone; empty: of all

@@ -124,7 +124,7 @@ ALONE = [
     Row("canvoy devices", "battery"),
     Row("canvoy list devices", "battery"),
     Row("canvoy profiles", "447-3"),
-    Row("canvoy info 447-3", "taxi"),
+    Row("canvoy info 447-3", "special-purpose car add-on devices"),
     Row("canvoy show 419", "battery_status"),
     Row("canvoy networks", "excavator"),
     Row("canvoy demo --for 10s", "PASS"),

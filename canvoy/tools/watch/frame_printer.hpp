@@ -45,7 +45,7 @@ struct FramePrinterOptions {
 
   /// Words of a command line that describe nodes: `--profile`, `417-4`.
   std::vector<std::string> node_words() const;
-  /// A line that shows this source by these words, to see it again.
+  /// A line that shows this source by these words, to show it again.
   std::string view_line(const std::string& source) const;
 
   void add_to(Verb& command);
