@@ -228,5 +228,11 @@ TEST(EmergencyConsumer, HearsNothingOnADefaultThatIsNoCanIdForIt) {
   node.expect_log({});
 }
 
+/// CiA 301, 7.2.7.1: error code, error register, five bytes of the manufacturer.
+TEST(EmergencyFrame, HasCodeRegisterAndInformation) {
+  const Emergency emergency{.code = 0x8130, .register_bits = 0x11, .info = {1, 2, 3, 4, 5}};
+  EXPECT_EQ(wire_text(encode(emergency, 0x085)), "085#30 81 11 01 02 03 04 05");
+}
+
 }  // namespace
 }  // namespace canvoy::emergency_consumer_test

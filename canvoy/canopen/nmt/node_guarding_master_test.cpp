@@ -356,5 +356,12 @@ TEST(NodeGuarding, OfTwoSlavesByOneMasterNoticesStopsLossesAndRestarts) {
   EXPECT_EQ(sut.report.take(), Texts({"@3150000 node 10 state 0", "@3200000 node 10 state 127"}));
 }
 
+TEST(NodeGuardingMaster, ReleasesNothingWhereThereIsNoNode) {
+  GuardingNode node;
+  ASSERT_TRUE(node.guard(5));
+  for (const NodeId none : {NodeId{0}, NodeId{128}, NodeId{255}, NodeId{6}}) node.sut.release(none);
+  EXPECT_TRUE(node.sut.guards(5));
+}
+
 }  // namespace
 }  // namespace canvoy::node_guarding_master_test

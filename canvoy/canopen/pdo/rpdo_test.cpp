@@ -281,5 +281,22 @@ TEST(Rpdo, WhoseTypeWasReservedByDefaultWorksWhenItGetsABetterOne) {
   }
 }
 
+TEST(Rpdo, IsReportedOnceBehindTheHooksOfItsValues) {
+  PdoNode node;
+  std::vector<std::string> log;
+  auto written = [&log](const Entry& entry, Source) {
+    log.push_back("value " + std::to_string(load_unsigned(entry.bytes())));
+  };
+  auto received = [&log](std::uint16_t number) { log.push_back("PDO " + std::to_string(number)); };
+  Hook hook{.first = 0x2062, .last = 0x2062};
+  hook.after_write = Callback<void(const Entry&, Source)>::of(written);
+  node.node.dictionary().attach(hook);
+  node.rpdos.received = Callback<void(std::uint16_t)>::of(received);
+  node.map_rpdo(2, 0x305, 255, {0x2062'00'10});
+  node.operate();
+  node.receive("305#07 00");
+  EXPECT_EQ(log, (std::vector<std::string>{"value 7", "PDO 2"}));
+}
+
 }  // namespace
 }  // namespace canvoy::rpdo_test

@@ -215,5 +215,17 @@ TEST(Tpdo, IsRefusedWhereNoRouteForItsRemoteFramesIsLeft) {
   EXPECT_EQ(node.dictionary().write(0x1800, 1, cob_id, Source::sdo), none);
 }
 
+TEST(Tpdo, OfEightBytesIsSentWhereAnyOfThemHasChanged) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2050'07'40});
+  node.operate();
+  node.set(0x2050, 7, 0x8877'6655'4433'2211);
+  node.expect({"185#11 22 33 44 55 66 77 88"});
+  node.set(0x2050, 7, 0x8877'6655'4433'2211);
+  node.expect({});
+  node.set(0x2050, 7, 0x8977'6655'4433'2211);
+  node.expect({"185#11 22 33 44 55 66 77 89"});
+}
+
 }  // namespace
 }  // namespace canvoy::tpdo_test

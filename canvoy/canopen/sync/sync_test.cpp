@@ -302,5 +302,39 @@ TEST(Sync, WithoutItsObjectsIsHeardOn080) {
   wire.expect({});
 }
 
+constexpr auto sync_of_29_bits =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1005, .entry_count = 1}}),
+            std::to_array<EntryRow>({parameter(0, DataType::unsigned32, 0x2000'0080)}));
+constexpr auto sync_restricted =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1005, .entry_count = 1}}),
+            std::to_array<EntryRow>({parameter(0, DataType::unsigned32, 0x601)}));
+
+/// A data sheet may say what 1005h would refuse (CiA 301, 7.3.5: 601h is of SDO).
+TEST(Sync, OnADefaultThatIsRestrictedOrHas29BitsIsNotHeard) {
+  for (const DictionaryTables& tables : {sync_of_29_bits.tables(), sync_restricted.tables()}) {
+    WireNode node(tables, 5);
+    Sync sync(node.node);
+    unsigned heard = 0;
+    auto count = [&heard](std::uint8_t) { ++heard; };
+    SyncListener listener;
+    listener.received = decltype(listener.received)::of(count);
+    sync.attach(listener);
+    node.boot_operational();
+    node.receive("080#");
+    node.receive("601#");
+    node.receive("00000080#");
+    EXPECT_EQ(heard, 0u);
+  }
+}
+
+TEST(Sync, IsToldToEachOfItsListeners) {
+  PdoNode node;
+  Listener one(node);
+  Listener other(node);
+  Listener third(node);
+  node.receive("080#");
+  for (Listener* each : {&one, &other, &third}) EXPECT_EQ(each->take(), Texts({"@0 0"}));
+}
+
 }  // namespace
 }  // namespace canvoy::sync_test
