@@ -144,8 +144,9 @@ class UdpMulticast(CommandTest):
 
     def test_monitor_shows_what_python_can_hears(self):
         self.hear(0x18A)  # before that there is SDO only
-        output = self.assert_done(run("monitor", BUS, "--count", "60", "--json"))
-        frames = [json.loads(line) for line in output.splitlines()]
+        result = run("monitor", BUS, "--count", "60", "--json")  # whether a node has told its profile until then is open
+        self.assertEqual(result.returncode, 0, result.stderr)
+        frames = [json.loads(line) for line in result.stdout.splitlines()]
         self.assertEqual(len(frames), 60)
         self.assertIn("TPDO1", {frame["service"] for frame in frames})
 

@@ -19,7 +19,9 @@ here = pathlib.Path(__file__).parent
 class FilesTest(unittest.TestCase):
     def read(self, name):
         done = subprocess.run([CANVOY, "decode", here / name], capture_output=True, text=True, timeout=60, check=False)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        others = [line for line in done.stderr.splitlines() if "no node has told its profile" not in line]
+        self.assertEqual(others, [])
         return [" ".join(each.split()[:3]) for each in done.stdout.splitlines()]
 
     def test_each_frame_is_read(self):
