@@ -24,7 +24,7 @@ FIRST = [
     Row("canvoy explain 8130h", "life guard or heartbeat error"),
     Row("canvoy what is 0x06090011", ABORT),
     Row("timeout -s INT 2 canvoy logger -i socketcan -c can0 -f out.asc", "frames in out.asc"),
-    Row("timeout -s INT 2 canvoy player -i socketcan -c can0 night.log", "frames sent"),
+    Row("timeout -s INT 10 canvoy player -i socketcan -c can0 night.log", "frames sent"),
     Row("timeout -s INT 2 canvoy viewer -i socketcan -c can0", "node object"),
     Row("canvoy logconvert bus.blf bus2.asc", "frames of a Vector BLF"),
     Row("canvoy sdo upload can0 10 0x1018 1", "00000000h"),
