@@ -17,6 +17,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/decode_log.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
 #include "canvoy/tools/watch/trace_complaints.hpp"

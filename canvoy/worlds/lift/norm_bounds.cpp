@@ -59,7 +59,7 @@ std::string beyond_norm(const LiftDesign& design) {
                    number_text(persons_most) + " for " + number_text(car.rated_load_kg) + " kg");
   }
   const DoorDesign& door = design.door;
-  const std::string error = check_door_time("door_open_s", door.open_time_s, door.width_m);
+  std::string error = check_door_time("door_open_s", door.open_time_s, door.width_m);
   if (!error.empty()) return error;
   return check_door_time("door_close_s", door.close_time_s, door.width_m);
 }
