@@ -105,8 +105,7 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
   }
   void offer() override {
     if (client_ == nullptr || is_writing_ || is_over_) return;
-    owner_.make_unread_room(1);
-    if (owner_.unread() >= owner_.limits.unread_max) return;
+    if (!owner_.make_unread_room(1)) return;
     message_ = client_->next();
     if (message_.size() > owner_.limits.answer_max) return end();
     if (!message_.empty()) send_message();
@@ -269,9 +268,7 @@ class WebConnection : public Connection, public std::enable_shared_from_this<Web
     if (answer.body.size() > owner_.limits.answer_max) {
       return respond(told(500, "the answer is too long: ask for less"));
     }
-    owner_.make_unread_room(answer.body.size());
-    const std::size_t unread = owner_.unread();
-    if (unread != 0 && unread + answer.body.size() > owner_.limits.unread_max) {
+    if (!owner_.make_unread_room(answer.body.size())) {
       const WebResponse busy = told(503, "others have not taken their answers yet");
       return respond_with(busy, http::field::retry_after, "1");
     }

@@ -32,11 +32,9 @@ class ConnectionOwner {
   ConnectionOwner(const ConnectionOwner&) = delete;
   ConnectionOwner& operator=(const ConnectionOwner&) = delete;
 
-  /// Bytes of answers and messages that clients have not received yet.
-  virtual std::size_t unread() const = 0;
-  /// Disconnects those that have left unread for longest what was sent to them, until there is room
-  /// for so many bytes.
-  virtual void make_unread_room(std::size_t bytes) = 0;
+  /// True if there is room for so many unread bytes: those that have left unread for longest what
+  /// was sent to them are disconnected for it.
+  virtual bool make_unread_room(std::size_t bytes) = 0;
   /// Performs the work of Asio in this turn of the loop or in the next one.
   virtual void turn_soon() = 0;
   /// Makes room for one more client with a WebSocket.

@@ -63,8 +63,7 @@ class WebServer::Hub : public ConnectionOwner {
   Hub(const Hub&) = delete;
   Hub& operator=(const Hub&) = delete;
 
-  std::size_t unread() const override;
-  void make_unread_room(std::size_t bytes) override;
+  bool make_unread_room(std::size_t bytes) override;
   void turn_soon() override;
   void make_live_room() override;
 
@@ -147,20 +146,16 @@ void WebServer::Hub::admit(host::Descriptor client) {
   turn_soon();
 }
 
-std::size_t WebServer::Hub::unread() const {
-  std::size_t bytes = 0;
-  for (const auto& connection : connections_) bytes += connection->unread();
-  return bytes;
-}
-
-void WebServer::Hub::make_unread_room(std::size_t bytes) {
-  for (std::size_t held = unread(); held != 0 && held + bytes > limits.unread_max;
-       held = unread()) {
-    const auto since = [](const auto& each) {
-      return each->unread() == 0 ? Time::max() : each->sending_since();
-    };
+bool WebServer::Hub::make_unread_room(std::size_t bytes) {
+  const auto since = [](const auto& each) {
+    return each->unread() == 0 ? Time::max() : each->sending_since();
+  };
+  while (true) {
+    std::size_t held = 0;
+    for (const auto& each : connections_) held += each->unread();
+    if (held == 0 || held + bytes <= limits.unread_max) return true;
     const auto longest = std::ranges::min_element(connections_, {}, since);
-    if (since(*longest) > loop.now() - limits.unread_for_others) return;
+    if (since(*longest) > loop.now() - limits.unread_for_others) return false;
     (*longest)->end();
   }
 }
