@@ -66,6 +66,11 @@ class ProgramDownloadTest : public testing::Test {
     answer("00 31 32 33 34 35 36 37", "20 00 00 00 00 00 00 00");
     answer("1B 38 39 00 00 00 00 00", "30 00 00 00 00 00 00 00");
   }
+  void up_to_programmed() {
+    up_to_download();
+    send_nine_bytes();
+    answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  }
   void expect_end(ProgramStep step, SdoEnd end = {}, FlashError error = FlashError::none) {
     EXPECT_EQ(outcome.calls, 1);
     EXPECT_EQ(outcome.last.step, step);
@@ -94,9 +99,7 @@ TEST_F(ProgramDownloadTest, CountsTheBytesThatItHasSent) {
 
 TEST_F(ProgramDownloadTest, StopsClearsDownloadsLooksAndStarts) {
   begin(image.plan(5));
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
   expect_end(ProgramStep::done);
   EXPECT_TRUE(outcome.last);
@@ -206,18 +209,14 @@ TEST_F(ProgramDownloadTest, ATimeOutThatTheNodeTellsEndsItAsOtherAbortsDo) {
 
 TEST_F(ProgramDownloadTest, AnAbortOfTheStartEndsIt) {
   begin(image.plan(5));
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   answer("2F 51 1F 01 01 00 00 00", "80 51 1F 01 22 00 00 08");
   expect_end(ProgramStep::start, SdoEnd::by_server(AbortCode::device_state));
 }
 
 TEST_F(ProgramDownloadTest, ANodeThatIsGoneWithItsNewProgramWasStarted) {
   begin(image.plan(5));
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   wire.run_for(1s);
   wire.expect({"605#2F 51 1F 01 01 00 00 00", "605#80 51 1F 01 00 00 04 05"});
   expect_end(ProgramStep::done);
@@ -272,9 +271,7 @@ TEST_F(ProgramDownloadTest, TheIdentificationIsCompared) {
   ProgramPlan plan = image.plan(5);
   plan.identification = 0xCBF4'3926;
   begin(plan);
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 26 39 F4 CC");
   expect_end(ProgramStep::identify, AbortCode::none, FlashError::checksum);
 }
@@ -283,9 +280,7 @@ TEST_F(ProgramDownloadTest, ANodeWithoutAnIdentificationIsNotCompared) {
   ProgramPlan plan = image.plan(5);
   plan.identification = 0xCBF4'3926;
   begin(plan);
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   answer("40 56 1F 01 00 00 00 00", "80 56 1F 01 00 00 02 06");
   answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
   expect_end(ProgramStep::done);
@@ -295,9 +290,7 @@ TEST_F(ProgramDownloadTest, WhatCannotBeReadOfTheResultEndsIt) {
   ProgramPlan plan = image.plan(5);
   plan.identification = 0xCBF4'3926;
   begin(plan);
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   answer("40 56 1F 01 00 00 00 00", "80 56 1F 01 00 00 06 06");
   expect_end(ProgramStep::identify, SdoEnd::by_server(AbortCode::hardware));
 
@@ -313,9 +306,7 @@ TEST_F(ProgramDownloadTest, WithoutAStartItEndsBehindTheProgramming) {
   ProgramPlan plan = image.plan(5);
   plan.start = false;
   begin(plan);
-  up_to_download();
-  send_nine_bytes();
-  answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
+  up_to_programmed();
   expect_end(ProgramStep::done);
 }
 

@@ -12,14 +12,7 @@ constexpr auto idle = LiftPhase::idle;
 constexpr auto driving = LiftPhase::driving;
 constexpr auto open = LiftPhase::open;
 
-class LiftControllerTest : public testing::Test {
- protected:
-  LiftControllerTest() { bench.start(); }
-  ~LiftControllerTest() override { EXPECT_FALSE(bench.car.left_unlocked); }
-
-  LiftBench bench;
-  LiftController& lift = bench.lift;
-};
+class LiftControllerTest : public LiftBenchTest {};
 
 TEST_F(LiftControllerTest, WithoutCallsItStands) {
   bench.run_for(200s);

@@ -7,6 +7,8 @@
 //     bench.run_until([&] { return bench.lift.floor() == 3; });
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -108,6 +110,16 @@ class LiftBench {
   MotionStatus told_motion;
   DoorsStatus told_doors;
   LiftLoad told_load;
+};
+
+/// A lift that serves. In no test does it move with an unlocked door.
+class LiftBenchTest : public testing::Test {
+ protected:
+  LiftBenchTest() { bench.start(); }
+  ~LiftBenchTest() override { EXPECT_FALSE(bench.car.left_unlocked); }
+
+  LiftBench bench;
+  LiftController& lift = bench.lift;
 };
 
 }  // namespace canvoy::cia417

@@ -9,14 +9,7 @@ namespace {
 constexpr auto driving = LiftPhase::driving;
 constexpr auto open = LiftPhase::open;
 
-class LiftFailedTrips : public testing::Test {
- protected:
-  LiftFailedTrips() { bench.start(); }
-  ~LiftFailedTrips() override { EXPECT_FALSE(bench.car.left_unlocked); }
-
-  LiftBench bench;
-  LiftController& lift = bench.lift;
-};
+class LiftFailedTrips : public LiftBenchTest {};
 
 TEST_F(LiftFailedTrips, ACarThatDoesNotArriveIsStopped) {
   bench.press("05 07 01 00 11 01");

@@ -7,10 +7,8 @@
 namespace canvoy::cia417::lift_indications_test {
 namespace {
 
-class LiftIndicationsTest : public testing::Test {
+class LiftIndicationsTest : public LiftBenchTest {
  protected:
-  LiftIndicationsTest() { bench.start(); }
-
   void turn(SpecialFunction function, bool on = true) {
     bench.turn(function, on);
     bench.step();
@@ -43,9 +41,6 @@ class LiftIndicationsTest : public testing::Test {
   static constexpr Told nobody = {0, 0};
   static constexpr Told car_alone = {1, 0};
   static constexpr Told everybody = {1, 1};
-
-  LiftBench bench;
-  LiftController& lift = bench.lift;
 };
 
 TEST_F(LiftIndicationsTest, NoLoadIsThatOfTheLoadUnit) {

@@ -11,9 +11,8 @@ namespace {
 constexpr auto idle = LiftPhase::idle;
 constexpr auto open = LiftPhase::open;
 
-class LiftLanternTest : public testing::Test {
+class LiftLanternTest : public LiftBenchTest {
  protected:
-  LiftLanternTest() { bench.start(); }
   /// Runs until the car cannot pass the floor any more: the bench stops within half a metre.
   bool come_near(std::uint8_t floor) {
     const std::int32_t position = LiftBench::floors[floor - 1U];
@@ -21,9 +20,6 @@ class LiftLanternTest : public testing::Test {
       return std::abs(bench.car.motion.position_micrometre - position) <= bench_metre / 2;
     });
   }
-
-  LiftBench bench;
-  LiftController& lift = bench.lift;
 };
 
 TEST_F(LiftLanternTest, ItIsLitWhereTheCarSlowsDown) {

@@ -10,14 +10,7 @@ constexpr auto idle = LiftPhase::idle;
 constexpr auto driving = LiftPhase::driving;
 constexpr auto open = LiftPhase::open;
 
-class LiftServiceTest : public testing::Test {
- protected:
-  LiftServiceTest() { bench.start(); }
-  ~LiftServiceTest() override { EXPECT_FALSE(bench.car.left_unlocked); }
-
-  LiftBench bench;
-  LiftController& lift = bench.lift;
-};
+class LiftServiceTest : public LiftBenchTest {};
 
 // Fire service.
 
