@@ -148,7 +148,10 @@ void NodeHeartbeats::boot_up(Time at, Duration awake, bool is_expected) {
 void NodeHeartbeats::commanded(bool is_reset) {
   states_ = 0;
   turns_ = 0;
-  if (!is_reset) return;
+  if (is_reset) restart();
+}
+
+void NodeHeartbeats::restart() {
   is_running_ = false;
   rhythm_.restart();
   crossings_.restart();
@@ -156,13 +159,10 @@ void NodeHeartbeats::commanded(bool is_reset) {
 }
 
 void NodeHeartbeats::forget() {
-  is_running_ = false;
+  restart();
   intervals_.clear();
   next_ = 0;
   gaps_.clear();
-  rhythm_.restart();
-  crossings_.restart();
-  periods_.restart();
 }
 
 void NodeHeartbeats::end(Time at, Duration awake) {

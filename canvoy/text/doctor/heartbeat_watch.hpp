@@ -155,6 +155,7 @@ class NodeHeartbeats {
 
  private:
   void add_gap(const HeartbeatGap& gap);
+  void restart();
   void forget();
   void take_state(Time at, NmtState state);
 

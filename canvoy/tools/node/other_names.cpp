@@ -51,8 +51,17 @@ const VerbWords* verb_called(std::string_view word) {
   return found == verb_words.end() ? nullptr : found;
 }
 
-bool is_other_name(std::string_view word) {
-  return verb_called(word) != nullptr;
+/// True for our name of a verb and for each other name of it.
+bool is_any_verb_name(std::string_view word) {
+  return is_verb_name(word) || verb_called(word) != nullptr;
+}
+
+/// `eds check` as two words.
+Words words_of_verb(std::string_view name) {
+  const std::size_t blank = std::min(name.find(' '), name.size());
+  Words words = {std::string(name.substr(0, blank))};
+  if (blank < name.size()) words.emplace_back(name.substr(blank + 1));
+  return words;
 }
 
 /// The words behind the first one.
@@ -114,7 +123,7 @@ std::size_t take_front(const Words& words, std::size_t at, Front& front) {
     if (takes_value) front.options.push_back(value);
     return takes_value ? 2 : 1;
   }
-  const bool is_verb = is_verb_name(word) || is_other_name(word);
+  const bool is_verb = is_any_verb_name(word);
   // sim lift: run lift
   const bool is_place = !is_verb && (names_bus(word) || find_node_id(word));
   if (is_place) front.places.push_back(word);
@@ -160,7 +169,7 @@ void use_verb_of_list(Words& words) {
 /// `sdo read`, `node scan`, `profile list`.
 void leave_out_nouns(Words& words) {
   const bool has_noun = words.size() > 1 && std::ranges::find(nouns, words[0]) != nouns.end() &&
-                        (is_verb_name(words[1]) || is_other_name(words[1]) || words[1] == "write");
+                        (is_any_verb_name(words[1]) || words[1] == "write");
   if (has_noun) erase_words(words, 0);
   if (words.size() > 2 && words[0] == "error" && is_one_of(words[1], {"history", "log", "list"})) {
     erase_words(words, 1);
@@ -185,23 +194,20 @@ bool is_in(const std::array<std::string_view, size>& names, std::string_view wor
 void part_joined_name(Words& words) {
   const std::string name = words.front();
   const std::size_t dash = name.find('-');
-  const bool is_one = dash == std::string::npos || dash == 0 || is_verb_name(name) ||
-                      is_other_name(name) || is_nmt_word(name);
+  const bool is_one =
+      dash == std::string::npos || dash == 0 || is_any_verb_name(name) || is_nmt_word(name);
   if (is_one) return;
   const std::string first = name.substr(0, dash);
   const std::string second = name.substr(dash + 1);
-  const auto is_known = [](const std::string& word) {
-    return is_verb_name(word) || is_other_name(word);
-  };
   if (is_in(groups, second)) {
     words.front() = first;
     words.insert(words.begin(), second);
   } else if (is_in(groups, first)) {
     words.front() = second;
     words.insert(words.begin(), first);
-  } else if (is_in(nouns, second) && is_known(first)) {
+  } else if (is_in(nouns, second) && is_any_verb_name(first)) {
     words.front() = first;
-  } else if (is_in(nouns, first) && is_known(second)) {
+  } else if (is_in(nouns, first) && is_any_verb_name(second)) {
     words.front() = second;
   }
 }
@@ -372,7 +378,7 @@ void tell_by_kind(const Words& words) {
   std::vector<std::string> known;
   known.reserve(verb_words.size());
   for (const VerbWords& verb : verb_words) known.emplace_back(verb.name);
-  const bool is_verb = is_verb_name(name) || is_other_name(name) || is_nmt_word(name);
+  const bool is_verb = is_any_verb_name(name) || is_nmt_word(name);
   const bool is_typo = !is_verb && !did_you_mean(name, known).empty();
   if (is_typo || (is_verb && !asks)) return;
   const std::string what =
@@ -406,9 +412,8 @@ void use_own_name(Words& words) {
   if (verb == "convert-log" && words.size() > 1 && is_sheet_name(words[1])) verb = "eds convert";
   Words meant = behind(words);
   if (verb == "nmt") put_in(meant, count_places(words), words.front());
-  const std::size_t blank = verb.find(' ');
-  if (blank != std::string_view::npos) put_in(meant, 0, std::string(verb.substr(blank + 1)));
-  put_in(meant, 0, std::string(verb.substr(0, blank)));
+  const Words name = words_of_verb(verb);
+  meant.insert(meant.begin(), name.begin(), name.end());
   // A program has no index.
   const bool is_object = typed == "download" && count_places(words) > 3;
   if (!is_listed(typed, other->told) || is_object) {
@@ -445,9 +450,7 @@ std::vector<std::string> line_from(const Words& words, std::size_t at) {
       verb.insert(verb.end(), words.begin() + static_cast<std::ptrdiff_t>(at), words.end());
     return verb;
   }
-  const std::size_t blank = std::min(other->name.find(' '), other->name.size());
-  Words verb = {std::string(other->name.substr(0, blank))};
-  if (blank < other->name.size()) verb.emplace_back(other->name.substr(blank + 1));
+  Words verb = words_of_verb(other->name);
   const Words rest = behind(words, at + 1);
   verb.insert(verb.end(), rest.begin(), rest.end());
   return verb;
@@ -471,7 +474,7 @@ void put_verb_in_front(Words& words) {
         fmt::format("which verb? canvoy monitor {0} shows its frames, canvoy scan {0} who is there",
                     front.places.front()));
   }
-  const bool is_verb = is_verb_name(words[at]) || is_other_name(words[at]);
+  const bool is_verb = is_any_verb_name(words[at]);
   if (front.places.empty() && is_alone(words, at) && !is_verb) {
     const Words verb = verb_of_thing(words[at]);
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), verb.begin(), verb.end());

@@ -55,9 +55,7 @@ void show_without_match(const LogOptions& options, const FramePrinter& printer) 
 void show_unknown_pdos(const LogOptions& options, FramePrinter& printer) {
   const bool has_values_only = options.printer.csv || !options.parquet.empty();
   const char* const fate = has_values_only ? "left out" : "shown as bytes";
-  for (const std::string& line : printer.unknown_pdos({.fate = fate})) {
-    print_message(fmt::format("{}: {}", options.log, line));
-  }
+  print_unknown_pdos(options.log, printer, {.fate = fate});
 }
 
 void refuse_log_itself(const LogOptions& options) {

@@ -21,6 +21,7 @@
 #include "canvoy/tools/cli/meant_line.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/tools/watch/value_table.hpp"
 
@@ -439,6 +440,13 @@ const text::FrameWords* FramePrinter::look(Duration time, std::string_view bus,
   if (!is_wanted(time, bus, frame, words)) return nullptr;
   if (words.is_unknown_pdo) heard.unknown.add(frame);
   return &words;
+}
+
+void print_unknown_pdos(std::string_view source, FramePrinter& printer,
+                        text::UnknownPdosWords words) {
+  for (const std::string& line : printer.unknown_pdos(words)) {
+    print_message(fmt::format("{}: {}", source, line));
+  }
 }
 
 }  // namespace canvoy::tools

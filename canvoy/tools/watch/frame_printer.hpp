@@ -186,4 +186,8 @@ class FramePrinter {
   text::FrameJson frame_json_;
 };
 
+/// Prints what unknown_pdos() tells as messages, behind the name of the source.
+void print_unknown_pdos(std::string_view source, FramePrinter& printer,
+                        text::UnknownPdosWords words);
+
 }  // namespace canvoy::tools

@@ -54,9 +54,7 @@ LiveTable::By parse_table_rows(const std::string& by) {
 void show_unknown_pdos(const MonitorOptions& options, FramePrinter& printer) {
   const bool shows_bytes = !options.table && !options.printer.csv;
   const char* const fate = shows_bytes ? "shown as bytes" : "not decoded";
-  for (const std::string& line : printer.unknown_pdos({.fate = fate, .only_with_guess = true})) {
-    print_message(fmt::format("{}: {}", options.source, line));
-  }
+  print_unknown_pdos(options.source, printer, {.fate = fate, .only_with_guess = true});
 }
 
 class BusMonitor {

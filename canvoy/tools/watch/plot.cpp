@@ -24,7 +24,6 @@
 #include "canvoy/tools/cli/png_file.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
-#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/tools/watch/decode_log.hpp"
@@ -122,8 +121,7 @@ class Plot {
         take(time, heard.channel, words->node, value);
     }
     refuse_log_without_frames(options_.log, trace);
-    for (const std::string& line : printer_.unknown_pdos({.fate = "left out"}))
-      print_message(fmt::format("{}: {}", options_.log, line));
+    print_unknown_pdos(options_.log, printer_, {.fate = "left out"});
     for (const WantedObject& wanted : wanted_) {
       if (!wanted.is_found())
         throw Failure(fmt::format(
