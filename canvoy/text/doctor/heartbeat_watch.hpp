@@ -2,7 +2,7 @@
 // node-ID (CiA 301, 7.2.8.3.2.2).
 //
 //     HeartbeatWatch heartbeats;
-//     heartbeats.hear(time, 5, NmtState::operational, known, awake);
+//     heartbeats.of(5).hear(time, NmtState::operational, expected, awake);
 //     heartbeats.of(5).period();  // 1 s
 #pragma once
 
@@ -182,6 +182,7 @@ class NodeHeartbeats {
   Time turned_at_{};
 };
 
+/// Heartbeats of all nodes.
 class HeartbeatWatch {
  public:
   /// Heartbeats of `node`, 0 to 127.
