@@ -36,7 +36,10 @@ std::vector<FoundCase> found_cases() {
       // With the gateway dead, people of the second car press without effect.
       {8, 31min, {"lost-node:node=31@1530s+600s"}},
       // The computer does not receive that doors open.
-      {401, 11min, {"corrupted-frames@488.05s+90s", "cable-cut@488.25s+30s"}}};
+      {401, 11min, {"corrupted-frames@488.05s+90s", "cable-cut@488.25s+30s"}},
+      // While no journey is received, the bus leaves a stop: it is not the next one any more.
+      {4, 10min, {"lost-node:node=2@433720ms+1min"}},
+      {5, 17min, {"cable-cut:node=1@912493ms+10s"}}};
   if (!tries_all()) return cases;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     for (const char* const fault :

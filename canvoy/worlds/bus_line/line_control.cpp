@@ -73,7 +73,7 @@ void LineControl::reset(ResetScope) {
 void LineControl::forget_all() {
   has_begun_ = false;
   has_journey_told_ = false;
-  journey_ = nullptr;
+  journey_ = interrupted_ = nullptr;
   position_.forget();
   clock_.forget();
   told_.reset();
@@ -171,7 +171,7 @@ void LineControl::changed(NodeId id, RemoteState state) {
   has_returned_ = has_returned_ || (begins_anew && was_operational_.at(id));
   if (state == RemoteState::operational) was_operational_.at(id) = true;
   if (id == settings_.identification && begins_anew) {
-    lose_journey();
+    interrupt_journey();
     has_journey_told_ = false;
   }
   if (id == settings_.positioning && begins_anew) position_.take_fix({});
@@ -203,12 +203,19 @@ void LineControl::take_journey() {
   }
   if (found == nullptr) return lose_journey();
   if (found == journey_) return;
+  const Journey* interrupted = std::exchange(interrupted_, nullptr);
+  if (interrupted != nullptr && found != interrupted) lose_journey();
   journey_ = found;
-  position_.begin(route(), node().now());
+  if (found != interrupted) position_.begin(route(), node().now());
+}
+
+/// The vehicle may go on along its route meanwhile: the position is known when the device is back.
+void LineControl::interrupt_journey() {
+  if (journey_ != nullptr) interrupted_ = std::exchange(journey_, nullptr);
 }
 
 void LineControl::lose_journey() {
-  journey_ = nullptr;
+  journey_ = interrupted_ = nullptr;
   position_.lose_route();
 }
 
@@ -240,15 +247,14 @@ std::optional<cia407::CivilTime> LineControl::local_time() const {
 
 JourneyTexts LineControl::texts() const {
   const std::size_t reached = position_.is_located() ? position_.reached() : 0;
-  return {line(),
-          journey_,
-          {.place = position_.place(), .is_known = position_.knows_stop(), .reached = reached}};
+  return {
+      line(), journey_, {.place = position_.place(), .is_known = knows_stop(), .reached = reached}};
 }
 
 /// Sends nothing that is unknown.
 void LineControl::tell() {
-  const Told now = {journey_, position_.knows_stop(), position_.has_reached_stop(),
-                    position_.place(), position_.reached()};
+  const Told now = {journey_, knows_stop(), position_.has_reached_stop(), position_.place(),
+                    position_.reached()};
   if (std::exchange(told_, now) == now) return;
   hardware_.computer->block_tickets(!now.knows_stop);
   if (now.knows_stop) {

@@ -98,11 +98,13 @@ class LineControl {
   void error_told(const Frame& frame, Time now);
 
   void take_journey();
+  void interrupt_journey();
   void lose_journey();
   void take_fix();
   void take_time();
   void locate();
 
+  bool knows_stop() const { return journey_ != nullptr && position_.knows_stop(); }
   JourneyTexts texts() const;
   void tell();
   void report_position();
@@ -124,7 +126,10 @@ class LineControl {
   Time refresh_at_ = never;  ///< time at which all is sent again
 
   const Journey* journey_ = nullptr;  ///< null: none is known
-  bool has_journey_told_ = false;     ///< a message has reported the journey, or that there is none
+  /// The journey of an identification device that is away: the computer follows its route, and
+  /// reports nothing. Null: none.
+  const Journey* interrupted_ = nullptr;
+  bool has_journey_told_ = false;  ///< a message has reported the journey, or that there is none
   RoutePosition position_;
   std::array<bool, node_id_max + 1> was_operational_{};  ///< since the computer has booted
   bool has_returned_ = false;  ///< a device was operational, and left that state since all was sent
