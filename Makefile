@@ -122,10 +122,10 @@ response-times:
 # 3 s in the communication of each world; soak-bus-places each fault of a bus at a terminal, between stops and at one;
 # soak-all plays all of these one after the other.
 soak-%:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak
-	@build/bench/canvoy_soak $* $(SEEDS)
+	@scripts/install-packages build
+	@cmake --preset release -DCANVOY_SOAK=ON --log-level=WARNING
+	@cmake --build --preset release -j $(JOBS) --target canvoy_soak
+	@build/canvoy_soak $* $(SEEDS)
 
 # Each sabotage of each world, alone and beside each harmless fault elsewhere: all of them must be found.
 sabotage:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/can/simulated/simulated_bus.hpp"
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -173,10 +174,12 @@ TEST(FlyingLockstep, OfThreeThatStartAtOnceTheFirstBySlotLeads) {
 }
 
 TEST(FlyingLockstep, OfThreeThatStartOneAfterTheOtherOneLeads) {
+  std::size_t tries = 0;
   for (const Trial& trial : trials) {
     for (const Duration second :
          std::initializer_list<Duration>{1us, 1ms, 100ms, 499ms, 550ms, 600ms, 601ms, 1100ms, 3s}) {
       for (const Duration third : std::initializer_list<Duration>{1us, 600ms, 601ms, 2s, 10s}) {
+        if (tries++ % 3 != 0 && !tries_all()) continue;
         SCOPED_TRACE(testing::Message()
                      << "nodes " << unsigned{trial.ids[0]} << " to " << unsigned{trial.ids[2]}
                      << ", " << second / 1us << " and " << third / 1us << " us later");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::log_view_test {
@@ -177,10 +178,12 @@ TEST(LogView, FindsTheSameFramesAsALookAtAll) {
     for (const Frame& frame : any_group(random)) others.emplace(++i, frame);
   }
   LogWith log(16 * block, others);
+  std::size_t count = 0;
   for (const std::string filter :
        {"node=10", "node=11 and service=SDO", "service=TPDO", "service=EMCY or service=NMT",
         "object=6010", "temperature=20", "id=18A,18B", "guarding", "not heartbeat",
         "service=\"29-bit frame\"", "time>20s and node=10", "text=CiA", "not node=5"}) {
+    if (count++ % 3 != 0 && !tries_all()) continue;
     SCOPED_TRACE(filter);
     LogView all = log.reader("time>=0s and (" + filter + " or text=neverthere)");
     LogView sut = log.reader(filter);

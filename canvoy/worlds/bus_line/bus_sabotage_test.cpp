@@ -33,28 +33,45 @@ bool excuses_any(const ScheduledFault& fault, const BusNetwork& network) {
   });
 }
 
-void expect_beside(BusNetworkOptions options, ScheduledFault fault, Duration time,
-                   const std::string& names) {
-  SCOPED_TRACE(fault_text(fault));
+void recur(BusNetworkOptions& options, ScheduledFault fault, Duration time) {
   for (fault.start = Time(1min); fault.start < Time(time); fault.start += 3min) {
     options.faults.faults.push_back(fault);
   }
+}
+
+void expect_beside(BusNetworkOptions options, const ScheduledFault& fault, Duration time,
+                   const std::string& names) {
+  SCOPED_TRACE(fault_text(fault));
+  recur(options, fault, time);
   BusNetwork network(options);
   network.run_until(Time(time));
   EXPECT_EQ(broken(network), names);
 }
 
-/// What is broken alone; beside a fault elsewhere, it is the same.
+/// What is broken beside the first fault that excuses none of it.
+std::string played_beside_one(const BusNetworkOptions& sabotaged, Duration time) {
+  for (const ScheduledFault& fault : faults_beside) {
+    BusNetworkOptions options = sabotaged;
+    recur(options, fault, time);
+    BusNetwork network(options);
+    network.run_until(Time(time));
+    if (!network.all_hold() && !excuses_any(fault, network)) return broken(network);
+  }
+  return "";
+}
+
+/// What is broken alone; beside each fault elsewhere, it is the same. Beside one alone in a quick
+/// run: what is broken beside a fault is broken without it.
 std::string played(const Sabotage& sabotage, Duration time = two_journeys) {
   BusNetworkOptions options = with_seed(1);
   options.sabotage = sabotage;
+  if (!tries_all()) return played_beside_one(options, time);
   BusNetwork network(options);
   network.run_until(Time(time));
   const std::string names = broken(network);
   for (const ScheduledFault& fault : faults_beside) {
     if (excuses_any(fault, network)) continue;
     expect_beside(options, fault, time, names);
-    if (!tries_all()) break;
   }
   return names;
 }

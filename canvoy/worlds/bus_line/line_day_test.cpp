@@ -9,12 +9,13 @@
 #include <memory>
 #include <vector>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/worlds/bus_line/bus_depot.hpp"
 
 namespace canvoy::bus_line::line_day_test {
 namespace {
 
-constexpr std::uint64_t days = 5;
+const std::uint64_t days = tries_all() ? 5 : 3;
 
 /// The built-in line with four vehicles, which follow each other after so many minutes.
 BusLine frequent_line(Duration headway = 10min) {

@@ -36,7 +36,7 @@ TEST_P(ExcavatorSoak, ADarkLampIsSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ExcavatorSoak,
-                         testing::Range<std::uint64_t>(1, tries_all() ? 11 : 3));
+                         testing::Range<std::uint64_t>(1, tries_all() ? 11 : 2));
 
 }  // namespace
 }  // namespace canvoy::excavator::excavator_soak_test

@@ -185,20 +185,18 @@ std::string found(const Case& it, const ScheduledFault* beside) {
   return names;
 }
 
-TEST_P(EachPoliceSabotage, IsFoundAlone) {
-  const std::string name = std::string(invariant_name(GetParam().breaks).name) + " ";
-  EXPECT_NE((" " + found(GetParam(), nullptr)).find(" " + name), std::string::npos);
-}
-
 bool excuses_it(const ScheduledFault& fault, const Case& it) {
   if (it.breaks == InvariantKind::device_missing) return can_cost(fault, it.loses_power);
   return can_cause(fault, it.breaks);
 }
 
-/// One of them in a quick run; at least three in a full one, except for silence, which all devices
-/// affect: only faults of no device stand beside it.
-TEST_P(EachPoliceSabotage, IsFoundBesideEachFaultElsewhere) {
+/// Beside one of them in a quick run; alone and beside at least three in a full one, except for
+/// silence, which all devices affect: only faults of no device stand beside it.
+TEST_P(EachPoliceSabotage, IsFoundAloneAndBesideEachFaultElsewhere) {
   const std::string name = std::string(invariant_name(GetParam().breaks).name) + " ";
+  if (tries_all()) {
+    EXPECT_NE((" " + found(GetParam(), nullptr)).find(" " + name), std::string::npos);
+  }
   std::size_t tried = 0;
   for (const ScheduledFault& fault : faults_beside) {
     if (excuses_it(fault, GetParam())) continue;
@@ -215,8 +213,10 @@ INSTANTIATE_TEST_SUITE_P(Each, EachPoliceSabotage, testing::ValuesIn(cases),
                          [](const auto& it) { return std::string(it.param.name); });
 
 /// Without a sabotage all invariants hold, and all are judged that occur in an hour and a half.
+/// The first stands beside most of them in a quick run.
 TEST(PoliceSabotages, TheFaultsBesideThemBreakNothing) {
   for (const NodeId node : {roof_light_id, inputs_id, navigation_id}) {
+    if (!tries_all() && node != roof_light_id) break;
     const Case none{.name = "none", .breaks = InvariantKind::calls};
     const ScheduledFault beside = restart_of(node);
     PoliceNetwork network(options_of(none, &beside));

@@ -43,7 +43,7 @@ TEST(PoliceSoakFound, TheFirstKeyAfterABootOfTheControlHasItsEffect) {
   EXPECT_TRUE(network.all_hold());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, PoliceSoak, testing::Range<std::uint64_t>(1, tries_all() ? 7 : 3));
+INSTANTIATE_TEST_SUITE_P(Seeds, PoliceSoak, testing::Range<std::uint64_t>(1, tries_all() ? 7 : 2));
 
 }  // namespace
 }  // namespace canvoy::police::police_soak_test

@@ -109,7 +109,7 @@ TEST(TaxiClock, TheNightInWhichClocksAreSetBackHasItsHourTwice) {
   static constexpr cia447::TariffHours hours[] = {
       {.from = cia447::time_of_day(2, 0), .to = cia447::time_of_day(3, 0), .level = 1}};
   TaxiOptions options = short_shift(1);
-  options.length = 8h;
+  options.length = 5h;
   options.shift.waiting_max = 1min;
   options.begin = std::chrono::sys_days{std::chrono::year{2026} / 10 / 25} + 30min;
   options.zone = {.name = "CET", .offset_minutes = 60, .summer = cia447::european_summer};
