@@ -15,7 +15,7 @@
 namespace canvoy::bus_line::line_day_test {
 namespace {
 
-const std::uint64_t days = tries_all() ? 5 : 3;
+const unsigned days = tries_all() ? 5 : 3;
 
 /// The built-in line with four vehicles, which follow each other after so many minutes.
 BusLine frequent_line(Duration headway = 10min) {
