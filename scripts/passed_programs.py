@@ -8,6 +8,7 @@ A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuz
 sources themselves, and those of one world, are what the sources are that SOURCES names.
 """
 
+import functools
 import hashlib
 import json
 
@@ -38,6 +39,48 @@ SOURCES |= {
         "canvoy/worlds/*.cpp", "canvoy/worlds/car/*", "canvoy/devices/*.cpp")
     for world, profiles in DEVICES_OF.items()
 }  # fmt: skip
+# Tests of the command in which no devices run but those of these worlds, and the files of each.
+TESTS_OF = {
+    ("charger",): {
+        "cli.run_charger": (), "cli.run_yard": (), "strangers.charging": ("charging", "in_machine"), "strangers.tshark_charging": ("charging", "tshark_agrees")},
+    ("lift",): {
+        "cli.run_lift": (), "cli.run_lift_parts": (), "strangers.lift": ("lift", "in_machine"), "strangers.lift_units": ("lift",),
+        "strangers.lift_drive": ("lift_drive",), "strangers.lift_panel": ("lift_panel",), "strangers.doors": ("doors",)},
+    ("taxi", "police"): {
+        "cli.run_taxi": (), "cli.run_police": (), "cli.run_car_parts": (), "cli.car_objects": (), "strangers.car": ("car",),
+        "strangers.car_socketcan": ("car", "in_machine"), "strangers.car_processes": ("car",), "strangers.car_conformance": ("car",),
+        "strangers.taxi": ("taxi",)},
+    ("bus_line",): {
+        "cli.run_bus": (), "cli.bus_objects": (), "strangers.bus": ("bus", "in_machine"), "strangers.bus_processes": ("bus",)},
+    ("excavator",): {
+        "cli.run_excavator": (), "cli.operator": (), "cli.operator_objects": (), "strangers.operator": ("operator", "in_machine"),
+        "strangers.operator_processes": ("operator",)},
+}  # fmt: skip
+
+
+def sources_of_test(worlds, name, own):
+    """All but the devices and worlds that it does not reach, and unit tests; without `own` files, it stands in tests/cli."""
+    devices = {folder for world in worlds for folder in DEVICES_OF[world]}
+    others = {folder for folders in DEVICES_OF.values() for folder in folders} - devices
+    absent = [f"!canvoy/devices/{folder}/**/*.cpp" for folder in sorted(others)]
+    absent += [f"!canvoy/worlds/{world}/**/*.cpp" for world in sorted({*DEVICES_OF} - {*worlds})]
+    kind, _, stem = name.partition(".")
+    tests = [f"tests/strangers/{each}{end}" for each in own for end in ("", "/*")] or [f"tests/{kind}/{stem}_test.py", "tests/cli/command.py"]
+    common = ("CMakeLists.txt", "CMakePresets.json", "cmake/*", "tests/*.py", "tests/strangers/*", "canvoy/**/*.[ch]pp", "!canvoy/**/*_test.cpp")
+    return (*common, *absent, *tests)
+
+
+SOURCES |= {test: sources_of_test(worlds, test, own) for worlds, tests in TESTS_OF.items() for test, own in tests.items()}
+
+
+@functools.cache
+def glob(root, pattern):
+    return frozenset(root.glob(pattern))
+
+
+@functools.cache
+def digest_of(path):
+    return hashlib.sha256(path.read_bytes()).digest()
 
 
 def program_of(test):
@@ -48,7 +91,8 @@ def program_of(test):
 def files_of(root, build, name):
     """The program, and all that it reads; none where it is not built."""
     if name in SOURCES:
-        found = {path for pattern in SOURCES[name] for path in root.glob(pattern)}
+        found = {path for pattern in SOURCES[name] if pattern[0] != "!" for path in glob(root, pattern)}
+        found -= {path for pattern in SOURCES[name] if pattern[0] == "!" for path in glob(root, pattern[1:])}
         return sorted(path for path in found if path.is_file() and (not path.name.endswith("_test.cpp") or name.startswith(WORLDS)))
     if name.startswith(FUZZ):
         target = name.removeprefix(FUZZ)
@@ -64,7 +108,7 @@ def content_of(files):
     """A hash of files; none of no files."""
     if not files:
         return None
-    return hashlib.sha256(b"".join(hashlib.sha256(path.read_bytes()).digest() for path in files)).hexdigest()
+    return hashlib.sha256(b"".join(map(digest_of, files))).hexdigest()
 
 
 class PassedPrograms:
@@ -73,6 +117,8 @@ class PassedPrograms:
     def __init__(self, root, build, programs):
         self.path = build / "passed.json"
         self.passed = json.loads(self.path.read_text()) if self.path.exists() else {}
+        for kept in (glob, digest_of):
+            kept.cache_clear()  # of what the files were before
         self.now = {name: content_of(files_of(root, build, name)) for name in programs}
 
     @property

@@ -179,12 +179,14 @@ class RunTests(unittest.TestCase):
             (root / "canvoy/devices/kit/kit.hpp").write_text("2")
             self.assertEqual(run_tests.PassedPrograms(root, build, (name,)).unchanged, [])
 
-    def test_each_test_that_compiles_sources_itself_is_there(self):
-        lines = (ROOT / "tests/embed/CMakeLists.txt").read_text()
+    def test_each_test_that_is_what_its_sources_are_is_there(self):
+        lines = "".join((ROOT / f"tests/{kind}/CMakeLists.txt").read_text() for kind in ("embed", "strangers"))
         for name, patterns in run_tests.SOURCES.items():
-            self.assertTrue(name in lines or (ROOT / "canvoy/worlds" / name.removeprefix("worlds_")).is_dir(), name)
+            own = ROOT / f"tests/cli/{name.removeprefix('cli.')}_test.py", ROOT / "canvoy/worlds" / name.removeprefix("worlds_")
+            self.assertTrue(re.search(rf"\b{name.removeprefix('strangers.')}\b", lines) or any(path.exists() for path in own), name)
             for pattern in patterns:
-                self.assertTrue(any(ROOT.glob(pattern)), pattern)
+                matches = re.fullmatch(r"tests/strangers/\w+(/\*)?", pattern) or any(ROOT.glob(pattern.lstrip("!")))
+                self.assertTrue(matches, pattern)
 
     def test_a_world_includes_no_other_devices_than_those_that_its_tests_are_run_again_for(self):
         for world, folders in passed_programs.DEVICES_OF.items():
@@ -196,6 +198,22 @@ class RunTests(unittest.TestCase):
             known = {tuple(pattern.split("/")[:2]) for pattern in run_tests.SOURCES[f"worlds_{world}"] if pattern.endswith(".cpp")}
             found = {path.parts[:2] for path in included_by(ROOT / "canvoy/worlds" / world) if len(path.parts) > 2}
             self.assertLessEqual(found, {*known, ("canvoy", "worlds")}, world)
+
+    def test_a_test_names_no_other_devices_and_worlds_than_those_that_it_is_run_again_for(self):
+        folders = {}
+        for path in (ROOT / "canvoy/devices").glob("cia*/**/*.hpp"):
+            for device in re.findall(r'\.name = "([a-z0-9]+-[a-z0-9-]+)"', path.read_text()):
+                folders.setdefault(device, set()).add(path.relative_to(ROOT).parts[2])
+        self.assertGreater(len(folders), 50)
+        for worlds, tests in passed_programs.TESTS_OF.items():
+            known = {folder for world in worlds for folder in passed_programs.DEVICES_OF[world]}
+            for test in tests:
+                own = [path for path in passed_programs.files_of(ROOT, None, test) if path.is_relative_to(ROOT / "tests")]
+                own = [path for path in own if path.parent != ROOT / "tests/strangers" and path.name != "command.py" and path.suffix in (".py", ".js", ".cpp")]
+                self.assertTrue(own, test)
+                words = {word for path in own for word in re.findall(r"[\w-]+", path.read_text())}
+                strange = {word for word in words & {*folders} if not folders[word] & known}
+                self.assertEqual(strange, set(), test)
 
 
 if __name__ == "__main__":
