@@ -39,9 +39,16 @@ SOURCES |= {
         "canvoy/worlds/*.cpp", "canvoy/worlds/car/*", "canvoy/devices/*.cpp")
     for world, profiles in DEVICES_OF.items()
 }  # fmt: skip
-# Tests of the command in which no devices run but those of these worlds, and the files of each.
+# Tests of the command in which no devices run but those of these worlds (a battery is one of the charger's), and their files.
 TESTS_OF = {
+    (): {
+        "strangers.socketcan": ("socketcan_test.cpp",), "strangers.sdo": ("sdo",), "strangers.services": ("services",), "strangers.nmt": ("nmt",),
+        "strangers.pdo": ("pdo",), "strangers.storage": ("storage",), "strangers.boot": ("boot",), "strangers.gateway": ("gateway",),
+        "strangers.lss": ("lss",), "strangers.tshark_lss": ("lss", "tshark_agrees"), "strangers.candump_error_frames": ("error_frames",),
+        "strangers.traces": ("traces",), "strangers.python_can_traces": ("traces",), "strangers.frame_bits": ("frame_bits",)},
     ("charger",): {
+        "strangers.controllers": ("controllers",), "strangers.socketcand": ("socketcand_test.py",), "strangers.check_canopen_python": ("check",),
+        "strangers.check_node_canopen": ("check",),
         "cli.run_charger": (), "cli.run_yard": (), "strangers.charging": ("charging", "in_machine"), "strangers.tshark_charging": ("charging", "tshark_agrees")},
     ("lift",): {
         "cli.run_lift": (), "cli.run_lift_parts": (), "strangers.lift": ("lift", "in_machine"), "strangers.lift_units": ("lift",),
@@ -50,10 +57,11 @@ TESTS_OF = {
         "cli.run_taxi": (), "cli.run_police": (), "cli.run_car_parts": (), "cli.car_objects": (), "strangers.car": ("car",),
         "strangers.car_socketcan": ("car", "in_machine"), "strangers.car_processes": ("car",), "strangers.car_conformance": ("car",),
         "strangers.taxi": ("taxi",)},
+    ("excavator", "charger"): {"cli.operator": ()},
     ("bus_line",): {
         "cli.run_bus": (), "cli.bus_objects": (), "strangers.bus": ("bus", "in_machine"), "strangers.bus_processes": ("bus",)},
     ("excavator",): {
-        "cli.run_excavator": (), "cli.operator": (), "cli.operator_objects": (), "strangers.operator": ("operator", "in_machine"),
+        "cli.run_excavator": (), "cli.operator_objects": (), "strangers.operator": ("operator", "in_machine"),
         "strangers.operator_processes": ("operator",)},
 }  # fmt: skip
 

@@ -185,7 +185,7 @@ class RunTests(unittest.TestCase):
             own = ROOT / f"tests/cli/{name.removeprefix('cli.')}_test.py", ROOT / "canvoy/worlds" / name.removeprefix("worlds_")
             self.assertTrue(re.search(rf"\b{name.removeprefix('strangers.')}\b", lines) or any(path.exists() for path in own), name)
             for pattern in patterns:
-                matches = re.fullmatch(r"tests/strangers/\w+(/\*)?", pattern) or any(ROOT.glob(pattern.lstrip("!")))
+                matches = re.fullmatch(r"tests/strangers/[\w.]+(/\*)?", pattern) or any(ROOT.glob(pattern.lstrip("!")))
                 self.assertTrue(matches, pattern)
 
     def test_a_world_includes_no_other_devices_than_those_that_its_tests_are_run_again_for(self):
@@ -202,17 +202,18 @@ class RunTests(unittest.TestCase):
     def test_a_test_names_no_other_devices_and_worlds_than_those_that_it_is_run_again_for(self):
         folders = {}
         for path in (ROOT / "canvoy/devices").glob("cia*/**/*.hpp"):
-            for device in re.findall(r'\.name = "([a-z0-9]+-[a-z0-9-]+)"', path.read_text()):
+            for device in re.findall(r'\.name = "([a-z0-9-]+)"', path.read_text()):
                 folders.setdefault(device, set()).add(path.relative_to(ROOT).parts[2])
         self.assertGreater(len(folders), 50)
         for worlds, tests in passed_programs.TESTS_OF.items():
             known = {folder for world in worlds for folder in passed_programs.DEVICES_OF[world]}
             for test in tests:
                 own = [path for path in passed_programs.files_of(ROOT, None, test) if path.is_relative_to(ROOT / "tests")]
-                own = [path for path in own if path.parent != ROOT / "tests/strangers" and path.name != "command.py" and path.suffix in (".py", ".js", ".cpp")]
+                own = [path for path in own if path.parent != ROOT / "tests/strangers" and path.name != "command.py" and path.suffix in ("", ".py", ".js", ".cpp", ".toml")]
                 self.assertTrue(own, test)
                 words = {word for path in own for word in re.findall(r"[\w-]+", path.read_text())}
-                strange = {word for word in words & {*folders} if not folders[word] & known}
+                run = {word for path in own for word in re.findall(r"""\bdevice['"]?,? ['"]?([a-z0-9-]+)""", path.read_text())}
+                strange = {word for word in words | run if folders.get(word) and not folders[word] & known and ("-" in word or word in run)}
                 self.assertEqual(strange, set(), test)
 
 

@@ -497,6 +497,8 @@ test("tables are sorted by a click on a head, the other way by a second, and as 
   await shown(["run", "lift", "--lifts", "3", "--floors", "12", "--web", "--speed", "60"], async (page) => {
     await page.waitForFunction(() => /^[2-9]:/.test(document.querySelector(".clock").innerText));
     await page.getByRole("button", { name: "Pause" }).click();
+    await page.getByRole("button", { name: "Play" }).waitFor();
+    await page.waitForTimeout(1000); // tables are drawn five times a second, on a busy machine later
     const column = (table, number) => table.locator(`tbody td:nth-child(${number})`).allInnerTexts();
     const sorted_by = async (table, title, number) => {
       const before = await column(table, number);
