@@ -63,6 +63,11 @@ def mapped(node, communication, mapping, can_id, *entries):
     return steps + [write(node, f"{communication}/01", can_id, 4, "180400ms")]
 
 
+def repeated(node, entry, value, size, seconds=range(600, 1000, 5)):
+    """From before the first call for help to its end."""
+    return [write(node, entry, value, size, f"{second}s") for second in seconds]
+
+
 # Host 1, seat 10, valves 33.
 EXCAVATOR = {
     "heartbeat of the valves each 10 s": (heartbeat(33, 10000), "indicators"),
@@ -122,6 +127,26 @@ BUS = {
     "stop request of the second car with SYNC": (synchronous(30, 1800), "second_stop_sign"),
     "no heartbeat of the identification": (heartbeat(2, 0), "next_stop"),
     "no heartbeat of the next stop": (heartbeat(5, 0), "lie"),
+}
+POLICE = {
+    "ignition switch off": (off(1, 1800, 0x181), "power"),
+    "ignition switch with SYNC": (synchronous(1, 1800), "power"),
+    "ignition switch not heard by the supply": (off(9, 1400, 0x181), "power"),
+    "no heartbeat of the hands-free": (heartbeat(8, 0), "carrier"),
+    "heartbeat of the hands-free each minute": (heartbeat(8, 60000), "carrier"),
+    "no heartbeat of the inputs": (heartbeat(10, 0), "calls"),
+    "heartbeat of the inputs each 10 s": (heartbeat(10, 10000), "speech"),
+    "number pad": (repeated(2, "6081/00", 1, 1), "terminal_wait"),
+    "first display": (repeated(2, "6098/00", 1, 1), "terminal_wait"),
+    "roof bar": (repeated(3, "6130/01", 0, 4), "blue_light"),
+    "siren": (repeated(4, "613A/01", 0, 4, range(700, 960)), "siren"),
+    "flashers": (repeated(5, "6140/00", 0, 4), "blue_light"),
+    "power of the radio, as told to it": (repeated(6, "6070/00", 0, 1), "speech"),
+    "radio": (repeated(6, "6116/00", 0, 1), "speech"),
+    "hands-free": (repeated(8, "6151/00", 1, 1), "carrier"),
+    "power of the radio": (repeated(9, "6071/00", 1, 1), "power"),
+    "power of the periphery": (repeated(9, "6074/00", 1, 1), "power"),
+    "central locking": (repeated(1, "600A/00", 1, 1, range(600, 1500, 10)), "locks"),
 }
 # Changes of the built-in file.
 TAXI = {
@@ -207,6 +232,9 @@ class RunSabotage(CommandTest):
 
     def test_a_bus(self):
         self.assert_writes_break("bus", "50min", BUS, "restart:node=12@60s")
+
+    def test_a_police_car(self):
+        self.assert_writes_break("police", "100min", POLICE, "restart:node=11@60s")
 
     def test_a_taxi(self):
         file = self.file_of("taxi")
