@@ -3,7 +3,7 @@
 //     CANVOY=build/canvoy node --test tests/web/address_test.mjs
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { look_at, open_browser, PATIENCE_MS, serve, view } from "./browser.mjs";
+import { look_at, open_browser, PATIENCE_MS, pause, serve, view } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await open_browser()));
@@ -78,7 +78,7 @@ test("time is in the address while it stands, and Back goes back to it", async (
   await shown(charger, async (page) => {
     const clock = page.locator(".clock");
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).has("at"));
     const stood = await clock.innerText();
     await page.getByRole("slider", { name: "Time line" }).focus();
@@ -114,7 +114,7 @@ test("Back takes back a seek of which no state has come yet", { timeout: PATIENC
     });
     await page.reload();
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).has("at"));
     const stood = parts(page).get("at");
     const clock = await page.locator(".clock").innerText();
@@ -134,7 +134,7 @@ test("a link of a server that others reach works for whom it is sent to", async 
   await shown(["run", "charger", "--web", "0.0.0.0:0", "--speed", "60"], async (page, server) => {
     assert.doesNotMatch(server.url, /0\.0\.0\.0/);
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     await view(page, "Objects");
     await page.getByLabel("Search").fill("temperature");
     const time = await page.locator(".clock").innerText();
@@ -158,7 +158,7 @@ test("a link of a server that others reach works for whom it is sent to", async 
 
 test("a link that would move the time of others asks, and a no leaves it", async () => {
   await shown(charger, async (page, server) => {
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).has("at"));
     const stood = await page.locator(".clock").innerText();
     const other = await browser.context.newPage();

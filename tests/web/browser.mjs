@@ -99,3 +99,14 @@ export async function look_at(context, url) {
 }
 
 export const view = (page, name) => page.getByRole("navigation").getByRole("button", { name, exact: true }).click();
+
+/** Pauses a run, and waits until the state at which time stands is drawn: frames that were on their way come first. */
+export async function pause(page) {
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.getByRole("button", { name: "Play" }).waitFor();
+  const clock = page.locator(".clock");
+  for (let before = "", now = await clock.innerText(); now !== before; now = await clock.innerText()) {
+    before = now;
+    await page.waitForTimeout(500);
+  }
+}

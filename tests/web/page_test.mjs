@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { ask, load, look_at, open_browser, path_of, PATIENCE_MS, run, serve, view } from "./browser.mjs";
+import { ask, load, look_at, open_browser, path_of, PATIENCE_MS, pause, run, serve, view } from "./browser.mjs";
 
 let browser;
 const folder = mkdtempSync(join(tmpdir(), "canvoy-page-test-"));
@@ -72,7 +72,7 @@ test("a fault by a click is told with its code, and with its verdict", async () 
 test("a link and a file play the same run", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click(); // the link's time is the fault's, to the microsecond
+    await pause(page); // the link's time is the fault's, to the microsecond
     await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
     await page.getByRole("button", { name: "Let it happen" }).click();
     const begins = event(page, "FAULT begins: pilot-loss");
@@ -298,8 +298,7 @@ test("a server that says nothing is told from a run that stands, though neither 
     session.on("Network.webSocketFrameReceived", ({ response }) => answered.push(response.payloadData));
     const until = async (holds) => { while (!holds()) await page.waitForTimeout(50); };
     const count = (all, what) => all.filter((each) => each.includes(what)).length;
-    await page.getByRole("button", { name: "Pause" }).click();
-    await page.getByRole("button", { name: "Play" }).waitFor();
+    await pause(page);
     const before = count(asked, '"do":"values"');
     await until(() => count(asked, '"do":"values"') >= before + 4);
     assert.deepEqual(await page.locator(".lost").allInnerTexts(), [], "a run that stands is asked, and answers");
@@ -369,7 +368,7 @@ test("a plot is zoomed by dragging, and is whole again by a double click", async
     await page.getByRole("button", { name: "Pin to the plots: battery_voltage", exact: true }).first().click();
     await view(page, "Plots");
     await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     /** Where a share of the plot's width is: labels of other lengths move its begin. */
     const at = async (share) => {
       const area = await page.locator(".plot .u-over").boundingBox();
@@ -496,9 +495,7 @@ test("a fault that was made is taken back, and the run is the one without it", a
 test("tables are sorted by a click on a head, the other way by a second, and as before by a third", async () => {
   await shown(["run", "lift", "--lifts", "3", "--floors", "12", "--web", "--speed", "60"], async (page) => {
     await page.waitForFunction(() => /^[2-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
-    await page.getByRole("button", { name: "Play" }).waitFor();
-    await page.waitForTimeout(1000); // tables are drawn five times a second, on a busy machine later
+    await pause(page);
     const column = (table, number) => table.locator(`tbody td:nth-child(${number})`).allInnerTexts();
     const sorted_by = async (table, title, number) => {
       const before = await column(table, number);
@@ -543,7 +540,7 @@ test("a visitor goes where the page's user says, and nobody is made up", async (
 test("a click on the time of an event goes there", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
+    await pause(page);
     await page.locator(".events li", { hasText: "tells the time" }).locator("button.time").last().click();
     await page.waitForFunction(() => /^0:58/.test(document.querySelector(".clock").innerText));
   });
@@ -552,9 +549,7 @@ test("a click on the time of an event goes there", async () => {
 test("time stands when it is told to, goes in steps and back", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
-    await page.getByRole("button", { name: "Pause" }).click();
-    await page.getByRole("button", { name: "Play" }).waitFor();
-    await page.waitForTimeout(300);
+    await pause(page);
     const clock = page.locator(".clock");
     const stood = await clock.innerText();
     await page.waitForTimeout(300);
