@@ -324,7 +324,8 @@ bool use_verb_of_file(Words& words) {
     words = line({"decode", words[2], "--csv"}, behind(words, 3));
   } else if (is_one_of(name, {"info", "show"}) && formats::names_trace(first)) {
     words.front() = "stats";
-  } else if (is_one_of(name, {"info", "show", "describe"}) && find_profile(first) != nullptr) {
+  } else if (is_one_of(name, {"info", "show", "describe", "objects"}) &&
+             find_profile(first) != nullptr) {
     words.front() = "profile";
   } else if (is_one_of(name, {"errors", "faults", "alarms", "emcy"}) &&
              formats::names_trace(first)) {
@@ -335,18 +336,67 @@ bool use_verb_of_file(Words& words) {
     words.front() = "configure";
   } else if (name == "search" && words.size() == 2 && first.starts_with("0x")) {
     words.front() = "explain";
-  } else if (name == "eds" && is_sheet_name(first)) {
+  } else if (is_one_of(name, {"check", "test", "validate", "verify"}) && count_places(words) == 1 &&
+             formats::names_trace(first)) {
+    words.front() = "doctor";
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool use_verb_of_sheet(Words& words) {
+  if (words.size() < 2 || words.front() != "eds") return false;
+  const std::string& first = words[1];
+  if (is_sheet_name(first)) {
     words.insert(words.begin() + 1, "check");
-  } else if (name == "eds" && is_one_of(first, {"info", "show", "validate", "lint", "verify"})) {
+  } else if (is_one_of(first, {"info", "show", "validate", "lint", "verify"})) {
     words[1] = "check";
-  } else if (name == "eds" && first == "compare") {
+  } else if (first == "compare") {
     words[1] = "diff";
-  } else if (name == "eds" && is_one_of(first, {"new", "create", "generate", "make"})) {
+  } else if (is_one_of(first, {"new", "create", "generate", "make"})) {
     words[1] = "export";
   } else {
     return false;
   }
   return true;
+}
+
+/// The digits of a CAN-ID as a frame has them: 3, or 8 of 29 bits.
+std::string digits_of_id(std::string_view digits) {
+  return fmt::format("{:0>{}}", digits, digits.size() <= 3 ? 3 : 8);
+}
+
+/// A frame as people write it down: `decode 0x18A 01 02`, `explain 0x18A#0102`.
+bool use_frame(Words& words) {
+  const bool is_about_frame = words.size() > 1 && is_one_of(words[0], {"decode", "explain"});
+  if (!is_about_frame || !words[1].starts_with("0x")) return false;
+  const std::string first = words[1].substr(2);
+  const std::size_t hash = first.find('#');
+  std::string frame;
+  if (hash != std::string::npos) {
+    frame = digits_of_id(first.substr(0, hash)) + first.substr(hash);
+    erase_words(words, 1);
+  } else if (words[0] == "decode" && words.size() > 2) {
+    frame = digits_of_id(first) + '#';
+    erase_words(words, 1);
+    while (words.size() > 1 && !words[1].starts_with('-')) {
+      const std::size_t prefix = words[1].starts_with("0x") ? 2 : 0;
+      frame += fmt::format("{:0>2}", words[1].substr(prefix));
+      erase_words(words, 1);
+    }
+  }
+  if (frame.empty()) return false;
+  words[0] = "decode";
+  words.insert(words.begin() + 1, frame);
+  return true;
+}
+
+/// `convert a.log to a.asc`.
+void leave_out_to(Words& words) {
+  const bool has_to = words.size() > 3 && is_one_of(words[0], {"convert", "convert-log"}) &&
+                      is_one_of(words[2], {"to", "into", "as"});
+  if (has_to) erase_words(words, 2);
 }
 
 /// `reset can0 10 communication`: the other word of the command stands behind the node.
@@ -492,7 +542,9 @@ void use_own_names(Words& words) {
   part_joined_name(words);
   use_verb_of_list(words);
   leave_out_nouns(words);
-  const bool is_done = use_verb_of_node(words) || use_verb_of_bus(words) || use_verb_of_file(words);
+  leave_out_to(words);
+  const bool is_done = use_frame(words) || use_verb_of_node(words) || use_verb_of_bus(words) ||
+                       use_verb_of_sheet(words) || use_verb_of_file(words);
   if (!is_done) {
     tell_by_kind(words);
     use_own_name(words);
