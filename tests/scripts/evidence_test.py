@@ -147,6 +147,9 @@ class Evidence(unittest.TestCase):
         self.assertEqual(rows, [{"campaign": "lift", "seeds": 20, "hours": 40.0, "faults": 1234, "sabotaged_hours": 0.0, "wrong": 1},
                                 {"campaign": "bus-places", "seeds": 5, "hours": 832.5, "faults": 1110, "sabotaged_hours": 123.8, "wrong": 0}])  # fmt: skip
         self.assertEqual(evidence.stopped_of(text), [])
+        self.assertEqual(evidence.wrong_of("bus, seed 3: late\n" + text + "bus, seed 4: a lie\n")[0], "bus, seed 3: late")
+        self.assertNotIn("bus, seed 4: a lie", evidence.wrong_of(text + "bus, seed 4: a lie\n"))
+        self.assertIn("- `bus, seed 3: late`", evidence.soak_text({"commit": "abc", "campaigns": rows, "wrong": ["bus, seed 3: late"]}))
         self.assertEqual(evidence.stopped_of(text + "bus, seed 4: a lie\n"), ["bus, seed 4: a lie"])
         self.assertIn("- `bus, seed 4: a lie`", evidence.soak_text({"commit": "abc", "campaigns": rows, "stopped": ["bus, seed 4: a lie"]}))
         self.assertIn("| **all** | 25 | 872.5 | 2,344 | 123.8 | 1 |", evidence.soak_text({"commit": "abc", "campaigns": rows}))
